@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/gltf/load_gltf.h"
+
+#include "io/gltf/document.h"
+#include "io/gltf/extensions.h"
+#include "io/gltf/materials.h"
+#include "io/gltf/nodes.h"
+#include "io/gltf/notes.h"
+#include "io/gltf/scene_builder.h"
+#include "io/gltf/textures.h"
+
+#include <fmt/format.h>
+
+namespace lume::io {
+namespace {
+
+void note_unused_parts(const gltf::JsonView& root, gltf::Notes& notes) {
+  if (const std::size_t count = root.items("animations").size(); count > 0) {
+    notes.add("animations", fmt::format("{} not played yet; nodes stay where they are", count));
+  }
+}
+
+}  // namespace
+
+LoadedScene load_gltf(const std::filesystem::path& path, const LoadOptions& options) {
+  const gltf::Document document = gltf::open_document(path);
+  const gltf::JsonView root = document.root();
+  gltf::Notes notes;
+  LoadedScene result;
+  result.extensions = gltf::list_extensions(root, notes);
+  result.generator = document.model.asset.generator;
+  result.copyright = document.model.asset.copyright;
+  result.scene_names = gltf::scene_names(document);
+  result.scene_index = gltf::choose_scene(document, options.scene);
+
+  gltf::TextureTable textures(document);
+  result.scene.materials = gltf::read_materials(root, textures, notes);
+  const auto nodes = gltf::flatten(document, gltf::root_nodes(document, result.scene_index));
+  gltf::build_scene(document, nodes, result.scene, notes);
+  result.scene.textures = textures.textures();
+  result.scene.images = textures.load_images(options.decode_images);
+
+  note_unused_parts(root, notes);
+  result.notes = notes.lines();
+  return result;
+}
+
+}  // namespace lume::io

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// The subcommands of `lume`. Each one has its options, and a function to run once they are parsed.
+#pragma once
+
+#include "renderer/cli/exit_codes.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;  // its header costs seconds a file
+}
+
+namespace lume::cli {
+
+struct Command {
+  CLI::App* app = nullptr;
+  std::function<ExitCode()> run;
+};
+
+/// `arguments` is the command line after `lume render`, which a message may quote.
+[[nodiscard]] Command add_render_command(CLI::App& parent, std::vector<std::string> arguments);
+[[nodiscard]] Command add_info_command(CLI::App& parent);
+
+}  // namespace lume::cli

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "renderer/cli/lighting.h"
+
+#include "io/image_io.h"
+#include "renderer/cli/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+#include <utility>
+
+namespace lume::cli {
+namespace {
+
+/// A texture that glows no brighter than white paints lamps and screens on a model; it is not meant
+/// to light anything.
+bool is_lamp(const shading::Material& material) {
+  const bool only_glows =
+      material.emission_texture && shading::max_component(material.emission) <= 1.0f;
+  return material.is_emissive() && !only_glows;
+}
+
+bool has_lamp(const shading::Scene& scene, const geometry::Object& object) {
+  return std::any_of(object.geometries.begin(), object.geometries.end(),
+                     [&](const geometry::Mesh& mesh) {
+                       return !mesh.triangles.empty() && mesh.material < scene.materials.size() &&
+                              is_lamp(scene.materials[mesh.material]);
+                     });
+}
+
+std::string use_environment_file(const RenderOptions& options, shading::Scene& scene) {
+  shading::Environment environment = io::read_environment(*options.environment);
+  environment.rotate(options.environment_rotation * std::numbers::pi_v<float> / 180.0f);
+  environment.scale(options.environment_intensity);
+  environment.visible = !options.environment_hidden;
+  scene.environment = std::move(environment);
+  return fmt::format("environment {}", printable(*options.environment));
+}
+
+}  // namespace
+
+bool has_light(const shading::Scene& scene) {
+  if (!scene.lights.empty() || scene.environment) return true;
+  const auto& instances = scene.world.instances;
+  return std::any_of(instances.begin(), instances.end(), [&](const geometry::Instance& instance) {
+    return has_lamp(scene, scene.world.objects[instance.object]);
+  });
+}
+
+std::string light_scene(const RenderOptions& options, shading::Scene& scene) {
+  if (options.environment) return use_environment_file(options, scene);
+  if (options.background) {
+    scene.environment = shading::Environment(shading::Color(*options.background));
+    return fmt::format("{} nits from everywhere", format_vector(*options.background));
+  }
+  if (has_light(scene)) return "the scene's own";
+  scene.environment = shading::studio_environment();
+  return "Lume's studio, for the scene has none (--env, --background)";
+}
+
+}  // namespace lume::cli

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: Apache-2.0
+// `lume render`: from a scene's file to pictures.
+#include "renderer/render.h"
+
+#include "geometry/parallel.h"
+#include "io/gltf/load_gltf.h"
+#include "renderer/cli/camera_choice.h"
+#include "renderer/cli/commands.h"
+#include "renderer/cli/interrupt.h"
+#include "renderer/cli/lighting.h"
+#include "renderer/cli/output_name.h"
+#include "renderer/cli/picture.h"
+#include "renderer/cli/progress.h"
+#include "renderer/cli/render_options.h"
+#include "renderer/cli/render_stats.h"
+#include "renderer/cli/replay.h"
+#include "renderer/cli/text.h"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+namespace lume::cli {
+namespace {
+
+constexpr int k_single_frame = 1;
+
+/// Everything that could fail at the end is tried at the beginning.
+io::WriteOptions prepare_outputs(const RenderOptions& options) {
+  for (const std::string& output : options.outputs) {
+    io::check_writable(frame_path(output, k_single_frame));
+  }
+  if (options.stats) check_text_writable(*options.stats);
+
+  io::WriteOptions write;
+  const bool any_display =
+      std::any_of(options.outputs.begin(), options.outputs.end(),
+                  [](const auto& output) { return is_display_format(output); });
+  const bool asked = !options.display.empty() || !options.view.empty() || !options.ocio.empty();
+  // A broken $OCIO is no reason not to write scene-linear files.
+  if (any_display || asked) {
+    write.view = io::ViewTransform({options.ocio, options.display, options.view});
+  }
+  write.exposure = options.exposure;
+  write.full_float = options.full_float;
+  write.compression = options.compression;
+  write.jpeg_quality = options.jpeg_quality;
+  return write;
+}
+
+void log_notes(const std::vector<std::string>& notes, const std::string& scene_file) {
+  constexpr std::size_t k_shown = 10;
+  for (std::size_t i = 0; i < std::min(notes.size(), k_shown); ++i) {
+    spdlog::info("note: {}", printable(notes[i]));
+  }
+  if (notes.size() > k_shown) {
+    spdlog::info("... and {} more; lume info {} lists them", notes.size() - k_shown,
+                 shell_quote(printable(scene_file)));
+  }
+}
+
+io::LoadedScene load_scene(const RenderOptions& options) {
+  io::LoadOptions load;
+  load.scene = options.scene;
+  io::LoadedScene loaded = io::load_gltf(options.scene_file, load);
+  log_notes(loaded.notes, options.scene_file);
+  return loaded;
+}
+
+/// From where and on which pixels the scene is seen.
+struct Viewpoint {
+  ImageSize size;
+  shading::PixelRegion region;
+  CameraChoice camera;
+};
+
+Viewpoint choose_viewpoint(const shading::Scene& scene, const RenderOptions& options) {
+  const geometry::Camera* file_camera = find_file_camera(scene, options);
+  Viewpoint viewpoint;
+  viewpoint.size = choose_size(options, file_camera != nullptr ? file_camera->aspect : 0.0f);
+  viewpoint.region = choose_region(options, viewpoint.size);
+  viewpoint.camera = choose_camera(scene, options, file_camera, viewpoint.size.aspect());
+  return viewpoint;
+}
+
+renderer::RenderSettings make_settings(const RenderOptions& options, const Viewpoint& viewpoint) {
+  const auto filters = renderer::PixelFilter::names();
+  const auto kind = std::find(filters.begin(), filters.end(), options.filter) - filters.begin();
+  renderer::RenderSettings settings;
+  settings.width = viewpoint.size.width;
+  settings.height = viewpoint.size.height;
+  settings.region = viewpoint.region;
+  settings.spp = options.spp;
+  settings.seed = options.seed;
+  settings.filter =
+      renderer::PixelFilter(static_cast<renderer::PixelFilter::Kind>(kind), options.filter_radius);
+  for (const renderer::AovInfo& info : renderer::aov_infos()) {
+    const bool asked =
+        std::find(options.aovs.begin(), options.aovs.end(), info.name) != options.aovs.end();
+    if (asked) settings.aovs.push_back(info.aov);
+  }
+  return settings;
+}
+
+renderer::RenderResult trace(const renderer::PreparedScene& prepared, const RenderOptions& options,
+                             const Viewpoint& viewpoint) {
+  renderer::IntegratorSettings depth;
+  depth.max_depth = options.max_depth;
+  const auto integrator = renderer::make_integrator(options.integrator, prepared, depth);
+  Progress progress(stderr, options.verbosity == Verbosity::quiet ? Progress::Style::none
+                                                                  : Progress::style_for(stderr));
+  const Stopwatch watch;
+  renderer::RenderControl control;
+  control.on_progress = [&](double fraction) { progress.update(fraction, watch.elapsed()); };
+  control.cancel = &InterruptGuard::flag();
+  return renderer::render_image(prepared, viewpoint.camera.camera, *integrator,
+                                make_settings(options, viewpoint), control);
+}
+
+void write_pictures(const RenderOptions& options, const io::WriteOptions& write,
+                    const io::Picture& picture) {
+  for (const std::string& output : options.outputs) {
+    const std::filesystem::path path = frame_path(output, k_single_frame);
+    io::write_picture(path, picture, write);
+    spdlog::info("wrote {}", printable(path.string()));
+  }
+}
+
+void log_plan(const RenderOptions& options, const Viewpoint& viewpoint, const std::string& light,
+              unsigned threads) {
+  const shading::PixelRegion& region = viewpoint.region;
+  const std::string part = options.crop ? fmt::format(" (of it {}x{}+{}+{})", region.width,
+                                                      region.height, region.x, region.y)
+                                        : "";
+  spdlog::info("camera: {}; light: {}", viewpoint.camera.description, light);
+  spdlog::info("{}x{} pixels{}, {} samples each, {} on {}, {} thread{}", viewpoint.size.width,
+               viewpoint.size.height, part, options.spp, options.integrator, options.accelerator,
+               threads, threads == 1 ? "" : "s");
+}
+
+void log_stats(const RenderStats& stats) {
+  spdlog::info("rendered in {}: {} rays, {:.2f} million a second",
+               format_duration(stats.render_seconds), format_count(stats.rays.total()),
+               stats.rays_per_second() * 1e-6);
+  spdlog::debug("loading {}, building {}, writing {}, at most {} of memory",
+                format_duration(stats.load_seconds), format_duration(stats.build_seconds),
+                format_duration(stats.write_seconds), format_bytes(peak_memory_bytes()));
+}
+
+ExitCode judge(const RenderOptions& options, const renderer::NonFiniteSamples& non_finite,
+               bool interrupted) {
+  if (non_finite.count > 0) {
+    spdlog::warn(
+        "{} samples are infinite or NaN and count as black; the first is sample {} of "
+        "pixel ({}, {}); replay it with: {}",
+        format_count(non_finite.count), non_finite.sample, non_finite.x, non_finite.y,
+        replay_command(options.arguments, non_finite.x, non_finite.y));
+  }
+  if (interrupted) {
+    spdlog::warn("interrupted; what was done is written");
+    return ExitCode::interrupted;
+  }
+  return non_finite.count > 0 ? ExitCode::non_finite : ExitCode::success;
+}
+
+ExitCode run_render(const RenderOptions& options) {
+  start_log(options.verbosity);
+  check_render_options(options);
+  const io::WriteOptions write = prepare_outputs(options);
+  const InterruptGuard interrupt(options.verbosity != Verbosity::quiet);
+  const geometry::ThreadLimit limit(options.threads);
+
+  RenderStats stats;
+  Stopwatch watch;
+  io::LoadedScene loaded = load_scene(options);
+  const Viewpoint viewpoint = choose_viewpoint(loaded.scene, options);
+  const std::string light = light_scene(options, loaded.scene);
+  stats.load_seconds = watch.lap();
+
+  const renderer::PreparedScene prepared(loaded.scene, options.accelerator);
+  stats.build_seconds = watch.lap();
+  if (InterruptGuard::flag()) {
+    spdlog::warn("interrupted before there was a picture; nothing is written");
+    return ExitCode::interrupted;
+  }
+
+  if (loaded.scene.world.bounds().is_empty()) {
+    spdlog::warn("{} has no triangles to show; only the backdrop is rendered",
+                 printable(options.scene_file));
+  }
+  log_plan(options, viewpoint, light, limit.threads());
+  renderer::RenderResult result = trace(prepared, options, viewpoint);
+  stats.render_seconds = watch.lap();
+
+  io::Picture picture = make_picture(std::move(result.film), viewpoint.size, options.full_float);
+  picture.metadata = describe_picture(options, viewpoint.camera.description, write.view);
+  if (result.cancelled) picture.metadata["lume:incomplete"] = "interrupted";
+  picture.world_to_camera = world_to_camera(viewpoint.camera.camera, loaded.scene.origin);
+  write_pictures(options, write, picture);
+  stats.write_seconds = watch.lap();
+
+  stats.rays = result.rays;
+  stats.non_finite_samples = result.non_finite.count;
+  stats.threads = limit.threads();
+  stats.width = viewpoint.size.width;
+  stats.height = viewpoint.size.height;
+  stats.interrupted = result.cancelled;
+  log_stats(stats);
+  if (options.stats) write_text(*options.stats, stats_to_json(stats, options));
+  return judge(options, result.non_finite, result.cancelled);
+}
+
+}  // namespace
+
+Command add_render_command(CLI::App& parent, std::vector<std::string> arguments) {
+  // Shared with the closure, which outlives this function.
+  const auto options = std::make_shared<RenderOptions>();
+  options->arguments = std::move(arguments);
+  CLI::App* app = parent.add_subcommand("render", "Render a glTF scene to pictures");
+  add_render_options(*app, *options);
+  return {app, [options] { return run_render(*options); }};
+}
+
+}  // namespace lume::cli

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/images/own_scenes.h"
+
+#include "io/gltf/load_gltf.h"
+#include "tests/support/paths.h"
+
+#include <algorithm>
+
+namespace lume::tests {
+namespace {
+
+std::filesystem::path scenes_folder() { return source_dir() / "assets" / "scenes"; }
+
+}  // namespace
+
+std::vector<std::string> own_scene_names() {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(scenes_folder())) {
+    if (entry.path().extension() == ".gltf") names.push_back(entry.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+renderer::RenderResult render_scene(shading::Scene scene, const geometry::Camera& camera,
+                                    const Shot& shot) {
+  if (scene.lights.empty() && renderer::Emitters(scene).empty()) {
+    scene.environment = shading::studio_environment();
+  }
+  const renderer::PreparedScene prepared(scene, shot.accelerator);
+  const auto integrator =
+      renderer::make_integrator(renderer::integrator_names().front(), prepared, {});
+  renderer::RenderSettings settings;
+  settings.width = shot.width;
+  settings.height = shot.height;
+  settings.spp = shot.spp;
+  settings.region = shot.region;
+  settings.aovs = shot.aovs;
+  return renderer::render_image(prepared, camera, *integrator, settings);
+}
+
+renderer::RenderResult render_own_scene(const std::string& name, const Shot& shot) {
+  const shading::Scene scene = io::load_gltf(scenes_folder() / (name + ".gltf")).scene;
+  return render_scene(scene, scene.cameras.at(0), shot);
+}
+
+}  // namespace lume::tests

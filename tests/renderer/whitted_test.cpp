@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: Apache-2.0
+// The recursion against light that can be calculated by hand.
+#include "renderer/integrator.h"
+
+#include "renderer/prepared_scene.h"
+#include "shading/fresnel.h"
+#include "tests/support/random.h"
+#include "tests/support/scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace lume::renderer {
+namespace {
+
+using geometry::k_pi;
+using geometry::Ray;
+using geometry::Vec3;
+using shading::Environment;
+using shading::Material;
+using shading::PunctualLight;
+using shading::Scene;
+using test::add_surface;
+using test::make_matte;
+
+/// Mean over many samples of what one ray brings back.
+Radiance mean_radiance(const Scene& scene, const Ray& ray, int samples = 1, int max_depth = 5,
+                       RayCounts* counts = nullptr) {
+  const PreparedScene prepared(scene, "embree");
+  const auto integrator = make_integrator("whitted", prepared, {max_depth});
+  Radiance mean;
+  RayCounts all;
+  for (int s = 0; s < samples; ++s) {
+    const Radiance r =
+        integrator->radiance(ray, Sampler(1, 0, 0, static_cast<std::uint32_t>(s)), all);
+    mean.color += r.color / static_cast<float>(samples);
+    mean.alpha += r.alpha / static_cast<float>(samples);
+  }
+  if (counts != nullptr) *counts = all;
+  return mean;
+}
+
+void expect_near(const Color& a, const Color& b, float tolerance) {
+  EXPECT_NEAR(a.x, b.x, tolerance);
+  EXPECT_NEAR(a.y, b.y, tolerance);
+  EXPECT_NEAR(a.z, b.z, tolerance);
+}
+
+const Ray k_down_z{.origin = {0.1f, 0.05f, 5.0f}, .direction = {0, 0, -1}};
+
+Scene matte_square(const Color& albedo, float half_size = 2.0f) {
+  Scene scene;
+  make_matte(add_surface(scene, test::square_mesh(half_size)), albedo);
+  return scene;
+}
+
+PunctualLight point_light(const Vec3& position, const Color& intensity) {
+  PunctualLight light;
+  light.position = position;
+  light.intensity = intensity;
+  return light;
+}
+
+TEST(Whitted, MatteSquareUnderAPointLight_IsLambertsLaw) {
+  Scene scene = matte_square({0.8f, 0.4f, 0.2f});
+  const Vec3 light(1.1f, 0.05f, 2.0f);
+  scene.lights.push_back(point_light(light, Color(30.0f)));
+  const Vec3 offset = light - Vec3(0.1f, 0.05f, 0.0f);
+  const float d2 = dot(offset, offset);
+  const float cosine = offset.z / std::sqrt(d2);
+  const Radiance r = mean_radiance(scene, k_down_z);
+  expect_near(r.color, Color(0.8f, 0.4f, 0.2f) * (30.0f * cosine / d2 / k_pi), 1e-4f);
+  EXPECT_EQ(r.alpha, 1.0f);
+}
+
+TEST(Whitted, DirectionalLight_GivesAlbedoTimesIlluminanceOverPi) {
+  Scene scene = matte_square(Color(0.5f));
+  PunctualLight sun;
+  sun.kind = PunctualLight::Kind::directional;
+  sun.direction = glm::normalize(Vec3(1, 0, -1));
+  sun.intensity = Color(10.0f);
+  scene.lights.push_back(sun);
+  expect_near(mean_radiance(scene, k_down_z).color, Color(0.5f * 10.0f * std::sqrt(0.5f) / k_pi),
+              1e-5f);
+}
+
+TEST(Whitted, Occluder_CastsAHardShadow) {
+  Scene scene = matte_square(Color(0.5f));
+  scene.lights.push_back(point_light({0.1f, 0.05f, 4.0f}, Color(1.0f)));
+  EXPECT_GT(mean_radiance(scene, k_down_z).color.x, 0.0f);
+  make_matte(add_surface(scene, test::square_mesh(0.3f), test::translation(0, 0, 3)), Color(1.0f));
+  const Ray below{.origin = {0.1f, 0.05f, 2.0f}, .direction = {0, 0, -1}};
+  EXPECT_EQ(mean_radiance(scene, below).color, Color(0.0f));
+}
+
+TEST(Whitted, WhiteFurnace_MatteSphereHasItsAlbedo) {
+  Scene scene;
+  make_matte(add_surface(scene, test::sphere_mesh(48)), {0.7f, 0.5f, 0.3f});
+  scene.environment.emplace(Color(2.0f));
+  test::Random random(1);
+  for (int i = 0; i < 5; ++i) {
+    const Vec3 outward = random.direction();
+    const Ray ray{.origin = 4.0f * outward, .direction = -outward};
+    expect_near(mean_radiance(scene, ray, 4096).color, Color(1.4f, 1.0f, 0.6f), 0.02f);
+  }
+}
+
+TEST(Whitted, MirrorInAnEnvironment_ShowsItInTheMirrorDirection) {
+  Scene scene;
+  Material& metal = add_surface(scene, test::square_mesh(2.0f));
+  metal.base_color = {1.0f, 0.8f, 0.5f};
+  metal.roughness = 0.0f;
+  // Red light from +x, none from elsewhere (u = 0.5 is +x).
+  std::vector<Color> pixels(64 * 32, Color(0.0f));
+  for (int y = 0; y < 32; ++y) {
+    for (int x = 20; x < 44; ++x) pixels[static_cast<std::size_t>(y * 64 + x)] = Color(1, 0, 0);
+  }
+  scene.environment.emplace(64, 32, pixels);
+  const Vec3 in = glm::normalize(Vec3(1, 0, -1));
+  const Ray towards_x{.origin = -3.0f * in, .direction = in};
+  const float cosine = std::sqrt(0.5f);
+  const Color f = shading::fresnel_schlick(Color(1.0f, 0.8f, 0.5f), Color(1.0f), cosine);
+  expect_near(mean_radiance(scene, towards_x).color, Color(f.x, 0, 0), 1e-4f);
+  const Ray towards_minus_x{.origin = 3.0f * in * Vec3(1, 0, -1), .direction = in * Vec3(-1, 0, 1)};
+  EXPECT_EQ(mean_radiance(scene, towards_minus_x).color, Color(0.0f));
+}
+
+TEST(Whitted, RoughMetal_BothStrategiesTogetherCountLightOnce) {
+  // The environment's light on a rough metal comes by shadow rays and by reflection rays. A
+  // hole-free enclosure of constant light must give the same as the reflection alone: its albedo.
+  for (const float roughness : {0.2f, 0.5f, 1.0f}) {
+    Scene scene;
+    Material& metal = add_surface(scene, test::square_mesh(2.0f));
+    metal.roughness = roughness;
+    scene.environment.emplace(Color(1.0f));
+    const float both = mean_radiance(scene, k_down_z, 8192).color.x;
+    // Depth 0 has no reflection ray, so the shadow rays take the whole light.
+    const float shadow_rays_only = mean_radiance(scene, k_down_z, 65536, 0).color.x;
+    EXPECT_NEAR(both, shadow_rays_only, roughness < 0.3f ? 0.1f : 0.02f) << roughness;
+    EXPECT_LT(both, 1.001f);
+  }
+}
+
+TEST(Whitted, EmissiveSquare_LightsLikeItsFormFactor) {
+  // A square of half size h at height d over a point that faces it: the form factor between a
+  // differential element and a parallel rectangle (Siegel and Howell, configuration 4), four
+  // quarters.
+  constexpr float k_h = 0.5f;
+  constexpr float k_d = 1.0f;
+  Scene scene = matte_square(Color(0.6f));
+  geometry::DMat4 facing_down = test::translation(0, 0, k_d);
+  facing_down[1][1] = -1.0;
+  facing_down[2][2] = -1.0;  // half a turn about x
+  Material& lamp = add_surface(scene, test::square_mesh(k_h), facing_down);
+  make_matte(lamp, Color(0.0f));
+  lamp.emission = Color(5.0f);
+  const float x = k_h / k_d;
+  const float root = std::sqrt(1.0f + x * x);
+  const float quarter = (x / root * std::atan(x / root)) / k_pi;  // a = b
+  const Ray ray{.origin = {0, 0, 0.5f}, .direction = {0, 0, -1}};
+  EXPECT_NEAR(mean_radiance(scene, ray, 16384).color.x, 0.6f * 5.0f * 4.0f * quarter, 3e-3f);
+  // Seen directly it shows its radiance, and its back shows none.
+  const Ray up{.origin = {0, 0, 0.5f}, .direction = {0, 0, 1}};
+  EXPECT_EQ(mean_radiance(scene, up).color, Color(5.0f));
+  EXPECT_EQ(mean_radiance(scene, {.origin = {0, 0, 3}, .direction = {0, 0, -1}}, 256).color.x,
+            mean_radiance(scene, ray, 256).color.x)
+      << "back faces of single-sided surfaces are not seen";
+}
+
+TEST(Whitted, RoughReflectionOfAnEmitter_CountsItOnce) {
+  Scene scene;
+  Material& metal = add_surface(scene, test::square_mesh(2.0f));
+  metal.roughness = 0.5f;
+  Material& lamp = add_surface(scene, test::square_mesh(1.0f), test::translation(0, 0, 6));
+  lamp.double_sided = true;
+  lamp.base_color = Color(0.0f);
+  lamp.emission = Color(3.0f);
+  const float both = mean_radiance(scene, k_down_z, 16384).color.x;
+  const float shadow_rays_only = mean_radiance(scene, k_down_z, 65536, 0).color.x;
+  EXPECT_NEAR(both, shadow_rays_only, 0.01f * shadow_rays_only);
+}
+
+TEST(Whitted, BlendedLayers_CoverByTheirAlpha) {
+  Scene scene;
+  for (int i = 0; i < 2; ++i) {
+    Material& pane = add_surface(scene, test::square_mesh(2.0f), test::translation(0, 0, i));
+    pane.unlit = true;
+    pane.alpha_mode = shading::AlphaMode::blend;
+    pane.alpha = 0.25f;
+    pane.base_color = i == 0 ? Color(1, 0, 0) : Color(0, 1, 0);
+  }
+  const Radiance r = mean_radiance(scene, k_down_z);
+  expect_near(r.color, {0.75f * 0.25f, 0.25f, 0.0f}, 1e-6f);
+  EXPECT_NEAR(r.alpha, 0.25f + 0.75f * 0.25f, 1e-6f);
+}
+
+TEST(Whitted, Backdrop_CountsAsCoverageOnlyWhenVisible) {
+  Scene scene;
+  EXPECT_EQ(mean_radiance(scene, k_down_z).alpha, 0.0f);
+  scene.environment.emplace(Color(0.5f));
+  EXPECT_EQ(mean_radiance(scene, k_down_z).alpha, 1.0f);
+  EXPECT_EQ(mean_radiance(scene, k_down_z).color, Color(0.5f));
+  scene.environment->visible = false;
+  EXPECT_EQ(mean_radiance(scene, k_down_z).alpha, 0.0f);
+  EXPECT_EQ(mean_radiance(scene, k_down_z).color, Color(0.0f));
+}
+
+TEST(Whitted, SingleSidedBackFace_IsNotSeenAndDoubleSidedIsLitFromItsSide) {
+  Scene scene = matte_square(Color(0.5f));
+  scene.lights.push_back(point_light({0.1f, 0.05f, -4.0f}, Color(16.0f)));
+  const Ray from_behind{.origin = {0.1f, 0.05f, -2.0f}, .direction = {0, 0, 1}};
+  EXPECT_EQ(mean_radiance(scene, from_behind).alpha, 0.0f);
+  scene.materials[0].double_sided = true;
+  expect_near(mean_radiance(scene, from_behind).color, Color(0.5f / k_pi), 1e-5f);
+}
+
+TEST(Whitted, ThinPane_PassesWhatItDoesNotReflectTwice) {
+  Scene scene;
+  Material& backdrop = add_surface(scene, test::square_mesh(5.0f), test::translation(0, 0, -1));
+  backdrop.unlit = true;
+  Material& pane = add_surface(scene, test::square_mesh(2.0f));
+  pane.metallic = 0.0f;
+  pane.roughness = 0.0f;
+  pane.transmission = 1.0f;
+  pane.base_color = {1.0f, 0.5f, 0.25f};
+  RayCounts counts;
+  expect_near(mean_radiance(scene, k_down_z, 1, 5, &counts).color, Color(1.0f, 0.5f, 0.25f) * 0.96f,
+              1e-5f);
+  EXPECT_EQ(counts.camera, 1u);
+  EXPECT_EQ(counts.refraction, 1u);
+  EXPECT_EQ(counts.reflection, 1u);
+}
+
+TEST(Whitted, SolidSlab_ShiftsTheRayAndAbsorbsByBeerAndLambert) {
+  // A slab of glass, 2 thick, seen at 45 degrees. Behind it an emissive plane tells x by its
+  // texture coordinate... which vertex colours do here: red grows from 0 at x = -4 to 1 at x = 4.
+  Scene scene;
+  geometry::Mesh scale = test::square_mesh(4.0f);
+  scale.colors = {{0, 0, 0, 1}, {1, 0, 0, 1}, {1, 0, 0, 1}, {0, 0, 0, 1}};
+  add_surface(scene, scale, test::translation(0, 0, -1.5)).unlit = true;
+  geometry::Mesh slab = test::square_mesh(50.0f);
+  geometry::Mesh bottom = slab;
+  for (Vec3& p : bottom.positions) p = {p.x, -p.y, -2.0f};  // faces down
+  for (const Vec3& p : bottom.positions) slab.positions.push_back(p);
+  slab.triangles.emplace_back(4, 5, 6);
+  slab.triangles.emplace_back(4, 6, 7);
+  slab.texcoords.clear();
+  Material& glass = add_surface(scene, slab, test::translation(0, 0, 1));
+  glass.metallic = 0.0f;
+  glass.roughness = 0.0f;
+  glass.transmission = 1.0f;
+  glass.thickness = 1.0f;
+  glass.attenuation_distance = 1.0f;
+  glass.attenuation_color = {0.5f, 1.0f, 1.0f};
+  const Vec3 in = glm::normalize(Vec3(1, 0, -1));
+  const Ray ray{.origin = Vec3(-1, 0, 1) - in, .direction = in};
+  // Snell: sin 45 / 1.5; then 0.5 more to the plane at 45 degrees again.
+  const double sine = std::sqrt(0.5) / 1.5;
+  const double cosine = std::sqrt(1.0 - sine * sine);
+  const double x = -1.0 + 2.0 * sine / cosine + 0.5;
+  const double absorbed = std::pow(0.5, 2.0 / cosine);
+  const double enters =
+      1.0 - static_cast<double>(shading::fresnel_schlick(0.04f, 1.0f, std::sqrt(0.5f)));
+  const double leaves =
+      1.0 - static_cast<double>(shading::fresnel_dielectric(static_cast<float>(cosine), 1.5f));
+  // The internal reflections that come back down are worth under a percent and land elsewhere.
+  const float red = mean_radiance(scene, ray, 1, 2).color.x;
+  EXPECT_NEAR(red, (x + 4.0) / 8.0 * absorbed * enters * leaves, 2e-4);
+}
+
+TEST(Whitted, MaxDepth_CutsTheRecursion) {
+  // Two facing mirrors: each further depth shows one more reflection of the emissive rim.
+  Scene scene;
+  add_surface(scene, test::square_mesh(2.0f)).roughness = 0.0f;
+  geometry::DMat4 facing_down = test::translation(0, 0, 10);
+  facing_down[1][1] = -1.0;
+  facing_down[2][2] = -1.0;
+  Material& top = add_surface(scene, test::square_mesh(2.0f), facing_down);
+  top.roughness = 0.0f;
+  top.emission = Color(1.0f);
+  for (int depth = 0; depth <= 6; ++depth) {
+    // Perfect mirrors: down, up (1), down, up (1) ...
+    EXPECT_NEAR(mean_radiance(scene, k_down_z, 1, depth).color.x,
+                static_cast<float>((depth + 1) / 2), 1e-4f);
+  }
+}
+
+TEST(Whitted, Unlit_ShowsItsBaseColourWhateverTheLight) {
+  Scene scene;
+  Material& sign = add_surface(scene, test::square_mesh(2.0f));
+  sign.unlit = true;
+  sign.base_color = {0.1f, 0.2f, 0.3f};
+  scene.lights.push_back(point_light({0, 0, 3}, Color(100.0f)));
+  scene.environment.emplace(Color(3.0f));
+  EXPECT_EQ(mean_radiance(scene, k_down_z).color, Color(0.1f, 0.2f, 0.3f));
+}
+
+TEST(Whitted, SmoothSphereInAnyLight_HasNoNonFiniteSample) {
+  test::Random random(3);
+  for (int i = 0; i < 40; ++i) {
+    Scene scene;
+    Material& material = add_surface(scene, test::sphere_mesh(8), test::random_transform(random));
+    const auto pick = [&] { return std::round(random.uniform(0.0f, 4.0f)) / 4.0f; };
+    material.base_color = {pick(), pick(), pick()};
+    material.metallic = pick();
+    material.roughness = pick();
+    material.transmission = pick();
+    material.thickness = pick();
+    material.ior = 1.0f + pick();
+    material.double_sided = pick() > 0.5f;
+    material.emission = Color(pick() > 0.7f ? 1.0f : 0.0f);
+    scene.environment.emplace(Color(1.0f));
+    scene.lights.push_back(point_light(random.cube(3.0f), Color(5.0f)));
+    const auto bounds = scene.world.bounds();
+    for (int k = 0; k < 100; ++k) {
+      const Vec3 target = bounds.center() + random.cube(0.3f) * bounds.size();
+      const Vec3 direction = random.direction();
+      const Radiance r = mean_radiance(
+          scene, {.origin = target - 3.0f * bounds.radius() * direction, .direction = direction});
+      ASSERT_TRUE(geometry::is_finite(r.color)) << i << " " << k;
+      ASSERT_GE(std::min({r.color.x, r.color.y, r.color.z}), 0.0f);
+      ASSERT_LE(r.alpha, 1.0f);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace lume::renderer
