@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <limits>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -25,6 +26,31 @@ bool is_cancelled(const std::atomic<bool>* cancel) {
   return cancel != nullptr && cancel->load(std::memory_order_relaxed);
 }
 
+/// The exception of the lowest index that throws. Bodies below it still run, since one of them may
+/// throw as well: so it is the same one however threads take turns.
+class FirstFailure {
+ public:
+  void run(std::size_t i, const std::function<void(std::size_t)>& body) {
+    if (i > index_.load(std::memory_order_relaxed)) return;
+    try {
+      body(i);
+    } catch (...) {
+      const std::lock_guard lock(mutex_);
+      if (i >= index_) return;
+      index_ = i;
+      exception_ = std::current_exception();
+    }
+  }
+  void rethrow() const {
+    if (exception_) std::rethrow_exception(exception_);
+  }
+
+ private:
+  std::atomic<std::size_t> index_{std::numeric_limits<std::size_t>::max()};
+  std::mutex mutex_;
+  std::exception_ptr exception_;
+};
+
 }  // namespace
 
 #ifdef LUME_STD_THREADS
@@ -36,24 +62,17 @@ ThreadLimit::ThreadLimit(unsigned threads) : threads_(threads == 0 ? core_count(
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body,
                   const std::atomic<bool>* cancel) {
   std::atomic<std::size_t> next{0};
-  std::exception_ptr failure;
-  std::mutex failure_mutex;
+  FirstFailure failure;
   const auto work = [&] {
     for (std::size_t i = next++; i < count && !is_cancelled(cancel); i = next++) {
-      try {
-        body(i);
-      } catch (...) {
-        const std::lock_guard lock(failure_mutex);
-        if (!failure) failure = std::current_exception();
-        next = count;
-      }
+      failure.run(i, body);
     }
   };
   std::vector<std::thread> others;
   for (unsigned i = 1; i < g_threads; ++i) others.emplace_back(work);
   work();
   for (std::thread& other : others) other.join();
-  if (failure) std::rethrow_exception(failure);
+  failure.rethrow();
 }
 
 #else
@@ -70,16 +89,18 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& bod
   // An arena of its own, because the default one has a slot per core however many threads are
   // asked.
   tbb::task_arena arena(static_cast<int>(g_threads));
+  FirstFailure failure;
   arena.execute([&] {
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>(0, count),
         [&](const tbb::blocked_range<std::size_t>& range) {
           for (std::size_t i = range.begin(); i != range.end() && !is_cancelled(cancel); ++i) {
-            body(i);
+            failure.run(i, body);
           }
         },
         tbb::simple_partitioner{});
   });
+  failure.rethrow();
 }
 
 #endif

@@ -25,8 +25,8 @@ class ThreadLimit {
 };
 
 /// Calls body(i) once for every i < count, on several threads, in no particular order. When *cancel
-/// turns true, bodies that have not begun are left out. A body that throws ends the loop; its
-/// exception is thrown here.
+/// turns true, bodies that have not begun are left out. Of bodies that throw, the exception of the
+/// lowest i is thrown here, and bodies above it may have been left out.
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body,
                   const std::atomic<bool>* cancel = nullptr);
 

@@ -124,10 +124,11 @@ float environment_pdf(const PreparedScene& prepared, const EnvironmentAim& aim,
   return by_radiance + aim.cosine_share * (by_cosine - by_radiance);
 }
 
-float emitter_pdf(const PreparedScene& prepared, const geometry::SurfacePoint& met,
+float emitter_pdf(const PreparedScene& prepared, const geometry::SurfacePoint& met, float distance,
                   const Vec3& direction) {
   const float cosine = std::abs(dot(met.geometric_normal, direction));
-  return cosine > 0.0f ? prepared.emitters().area_pdf(met.hit) * met.t * met.t / cosine : 0.0f;
+  if (!(cosine > 0.0f)) return 0.0f;
+  return prepared.emitters().area_pdf(met.hit) * distance * distance / cosine;
 }
 
 }  // namespace lume::renderer

@@ -41,9 +41,10 @@ struct EnvironmentAim {
 [[nodiscard]] float environment_pdf(const PreparedScene& prepared, const EnvironmentAim& aim,
                                     const Vec3& direction);
 
-/// The same for the point of an emissive surface that is met along the unit `direction`.
+/// The same for the point of an emissive surface that is met along the unit `direction` at a
+/// distance (metres) from the surface being shaded.
 [[nodiscard]] float emitter_pdf(const PreparedScene& prepared, const geometry::SurfacePoint& met,
-                                const Vec3& direction);
+                                float distance, const Vec3& direction);
 
 /// The balance heuristic's share of the strategy with density `pdf`. A density of 0 stands for a
 /// mirror's infinite one, which takes all.

@@ -101,7 +101,7 @@ std::optional<LobeSample> Bsdf::sample_transmission(Vec2 random) const {
   return LobeSample{frame_.to_world(*wi), through * shadowing, 0.0f};
 }
 
-Color Bsdf::reflection_bound() const { return fresnel(to_viewer_.z); }
+Color Bsdf::reflectance_estimate() const { return fresnel(to_viewer_.z); }
 
 Color straight_transmittance(const MaterialPoint& point, float cosine) {
   const float f0 = dielectric_reflectance(point.material->ior);

@@ -47,8 +47,9 @@ class Bsdf {
   [[nodiscard]] std::optional<LobeSample> sample_transmission(Vec2 random) const;
 
   [[nodiscard]] bool has_diffuse() const { return max_component(diffuse_) > 0.0f; }
-  /// An upper bound on the reflection's weight, to decide whether a ray is worth tracing.
-  [[nodiscard]] Color reflection_bound() const;
+  /// What the specular layer reflects at the macroscopic normal, to decide whether a reflection ray
+  /// is worth tracing.
+  [[nodiscard]] Color reflectance_estimate() const;
   [[nodiscard]] const Color& transmission_color() const { return transmission_; }
 
  private:

@@ -23,9 +23,10 @@ enum Dimension : std::uint32_t { k_reflection = 8, k_transmission, k_next_layer 
 
 /// A ray of the tree, and what it needs to know of the path to it.
 struct Branch {
-  geometry::Ray ray;    ///< the direction is a unit vector
-  int depth = 0;        ///< reflections and refractions so far
-  float weight = 1.0f;  ///< most that its light can count for in the pixel
+  geometry::Ray ray;       ///< the direction is a unit vector
+  float travelled = 0.0f;  ///< metres to the ray's origin from the last surface that bent it
+  int depth = 0;           ///< reflections and refractions so far
+  float weight = 1.0f;     ///< what its light counts for in the pixel
   /// Density of the direction when shadow rays looked for the same light; 0: they did not.
   float pdf = 0.0f;
   EnvironmentAim aim;                         ///< of those shadow rays
@@ -67,6 +68,7 @@ class Whitted final : public Integrator {
       uncovered *= 1.0f - material.coverage;
       if (uncovered <= 0.0f) return result;
       branch.ray = leave(*point, branch.ray.direction);
+      branch.travelled += point->t;
       sampler = sampler.branch(k_next_layer);
     }
     return result;
@@ -91,7 +93,7 @@ class Whitted final : public Integrator {
     const Vec3 to_viewer = -branch.ray.direction;
     const bool inside = material.material->is_solid() && !point.front_facing;
     const Bsdf bsdf(material, to_viewer, inside);
-    const bool reflects = is_worth_tracing(branch, bsdf.reflection_bound());
+    const bool reflects = is_worth_tracing(branch, bsdf.reflectance_estimate());
 
     Color color = emission(branch, point);
     color += direct_light(prepared_, {point, material, bsdf, reflects}, sampler, counts);
@@ -119,7 +121,9 @@ class Whitted final : public Integrator {
   Color emission(const Branch& branch, const SurfacePoint& point) const {
     const Color emitted = shading::evaluate_emission(scene_, point);
     if (branch.pdf <= 0.0f || emitted == Color(0.0f)) return emitted;
-    return emitted * balance(branch.pdf, emitter_pdf(prepared_, point, branch.ray.direction));
+    const float distance = branch.travelled + point.t;
+    return emitted *
+           balance(branch.pdf, emitter_pdf(prepared_, point, distance, branch.ray.direction));
   }
 
   /// On a mapped normal a reflection can point into the actual surface, where nothing but the
@@ -143,7 +147,7 @@ class Whitted final : public Integrator {
   }
 
   [[nodiscard]] bool is_worth_tracing(const Branch& branch, const Color& weight) const {
-    // Light that could be seen at a ten-thousandth of its strength at most is left out.
+    // Light that would be seen at less than a ten-thousandth of its strength is left out.
     constexpr float k_least_weight = 1e-4f;
     return branch.depth < max_depth_ &&
            branch.weight * shading::max_component(weight) > k_least_weight;

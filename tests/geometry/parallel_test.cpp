@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace lume::geometry {
@@ -20,12 +21,17 @@ TEST(ParallelFor, EveryIndex_IsVisitedOnce) {
   }
 }
 
-TEST(ParallelFor, Exception_ReachesTheCaller) {
-  EXPECT_THROW(parallel_for(100,
-                            [](std::size_t i) {
-                              if (i == 50) throw std::runtime_error("50");
-                            }),
-               std::runtime_error);
+TEST(ParallelFor, OfSeveralExceptions_TheLowestIndexReachesTheCaller) {
+  for (int round = 0; round < 200; ++round) {
+    try {
+      parallel_for(100, [](std::size_t i) {
+        if (i % 20 == 13) throw std::runtime_error(std::to_string(i));
+      });
+      FAIL() << "nothing was thrown";
+    } catch (const std::runtime_error& error) {
+      ASSERT_STREQ(error.what(), "13");
+    }
+  }
 }
 
 TEST(ParallelFor, Cancelled_LeavesOutWhatHasNotBegun) {
