@@ -9,7 +9,7 @@
 // out,
 //   (1 - F(n.l)) (1 - F(n.v)) / (1 - F_average),
 // which is reciprocal and conserves energy (Shirley, Smits, Hu, Lafortune 1997, "A Practitioners'
-// Assessment of Light Reflection Models", section 3; Kelemen and Szirmay-Kalos 2001). Directions
+// Assessment of Light Reflection Models"; Kelemen and Szirmay-Kalos 2001). Directions
 // are unit vectors in the scene's frame that point away from the surface.
 #pragma once
 

@@ -19,7 +19,7 @@ namespace lume::shading {
 
 /// Reflectance at grazing incidence for use with the above: 1, but fading to 0 below the 2% that
 /// water, the faintest of real boundaries, has at the normal, so that an index of 1 is no boundary
-/// at all (Lagarde and de Rousiers 2014, "Moving Frostbite to PBR", section 3.1.2).
+/// at all (Lagarde and de Rousiers 2014, "Moving Frostbite to PBR").
 [[nodiscard]] inline float grazing_reflectance(float f0) { return std::min(1.0f, 50.0f * f0); }
 
 /// Schlick 1994, "An Inexpensive BRDF Model for Physically-based Rendering", eq. 15:

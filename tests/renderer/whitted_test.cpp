@@ -154,6 +154,39 @@ TEST(Whitted, RoughReflectionOfAnEmitter_CountsItOnce) {
   EXPECT_NEAR(both, shadow_rays_only, 0.01f * shadow_rays_only);
 }
 
+TEST(Whitted, RoughReflectionThroughABlendedPane_CountsItOnce) {
+  // The pane is close to the lamp: were the distance counted from it, and not from the metal, the
+  // shares of the two strategies would not add up to 1.
+  Scene scene;
+  add_surface(scene, test::square_mesh(2.0f)).roughness = 0.5f;
+  Material& pane = add_surface(scene, test::square_mesh(9.0f), test::translation(0, 0, 5.5));
+  pane.unlit = true;
+  pane.double_sided = true;
+  pane.base_color = Color(0.0f);
+  pane.alpha_mode = shading::AlphaMode::blend;
+  pane.alpha = 0.5f;
+  Material& lamp = add_surface(scene, test::square_mesh(1.0f), test::translation(0, 0, 6));
+  lamp.double_sided = true;
+  lamp.base_color = Color(0.0f);
+  lamp.emission = Color(3.0f);
+  const float both = mean_radiance(scene, k_down_z, 16384).color.x;
+  const float shadow_rays_only = mean_radiance(scene, k_down_z, 65536, 0).color.x;
+  EXPECT_NEAR(both, shadow_rays_only, 0.01f * shadow_rays_only);
+}
+
+TEST(Whitted, MirrorWithATiltedNormal_DoesNotLookBelowItsSurface) {
+  // Interpolated normals 60 degrees off the plane's send the reflection into the plane, under which
+  // there is a light that must not be seen.
+  Scene scene;
+  geometry::Mesh plane = test::square_mesh(2.0f);
+  plane.normals.assign(4, Vec3(std::sqrt(0.75f), 0.0f, 0.5f));
+  add_surface(scene, plane).roughness = 0.0f;
+  Material& lamp = add_surface(scene, test::square_mesh(50.0f), test::translation(0, 0, -3));
+  lamp.double_sided = true;
+  lamp.emission = Color(1.0f);
+  EXPECT_EQ(mean_radiance(scene, k_down_z).color, Color(0.0f));
+}
+
 TEST(Whitted, SingleSidedBackFace_IsNotSeenAndDoubleSidedIsLitFromItsSide) {
   Scene scene = matte_square(Color(0.5f));
   scene.lights.push_back(point_light({0.1f, 0.05f, -4.0f}, Color(16.0f)));
