@@ -11,9 +11,9 @@ namespace lume::geometry {
 struct Hit {
   std::uint32_t instance = 0;   ///< index into World::instances
   std::uint32_t geometry = 0;   ///< index into Object::geometries
-  std::uint32_t primitive = 0;  ///< index into Mesh::triangles
+  std::uint32_t primitive = 0;  ///< index into Mesh::triangles; of a shape its Crossing::part
 
-  auto operator<=>(const Hit&) const = default;
+  auto operator<=>(const Hit&) const = default;  // NOLINT(modernize-use-nullptr): tidy 14 errs
 };
 
 }  // namespace lume::geometry

@@ -10,8 +10,8 @@
 
 namespace lume::geometry {
 
-/// An indexed triangle mesh with one material, in its object's space (metres). Every attribute is
-/// either empty or has one value for each position; every index is below positions.size().
+/// An indexed triangle mesh in its object's space (metres). Every attribute is either empty or has
+/// one value for each position; every index is below positions.size().
 struct Mesh {
   std::vector<Vec3> positions;
   std::vector<Vec3> normals;                 ///< unit vectors; empty: flat facets
@@ -19,9 +19,6 @@ struct Mesh {
   std::vector<std::vector<Vec2>> texcoords;  ///< by set
   std::vector<Vec4> colors;                  ///< linear RGB and alpha; empty: white
   std::vector<UVec3> triangles;              ///< counter-clockwise from the front
-  std::uint32_t material = 0;                ///< index into the scene's materials
-  /// Some points of the surface are holes, which an accelerator must ask HoleTest about.
-  bool has_holes = false;
 
   [[nodiscard]] std::array<Vec3, 3> corners(std::uint32_t triangle) const {
     const UVec3& i = triangles[triangle];

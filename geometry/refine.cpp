@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace lume::geometry {
 namespace {
@@ -16,8 +17,8 @@ int dominant_axis(const DVec3& v) {
 
 /// Completes a crossing whose edge functions (weights of the corners a, b, c) do not all have the
 /// same sign: the weights are clamped into the triangle, and t is the line's nearest approach.
-Crossing clamp_to_triangle(DVec3 weights, const DVec3& origin, const DVec3& direction,
-                           const DVec3& a, const DVec3& b, const DVec3& c) {
+TriangleCrossing clamp_to_triangle(DVec3 weights, const DVec3& origin, const DVec3& direction,
+                                   const DVec3& a, const DVec3& b, const DVec3& c) {
   if (weights.x + weights.y + weights.z < 0.0) weights = -weights;
   weights = glm::max(weights, DVec3(0.0));
   const double sum = weights.x + weights.y + weights.z;
@@ -28,8 +29,8 @@ Crossing clamp_to_triangle(DVec3 weights, const DVec3& origin, const DVec3& dire
 
 }  // namespace
 
-Crossing intersect_triangle(const DVec3& origin, const DVec3& direction, const DVec3& a,
-                            const DVec3& b, const DVec3& c) {
+TriangleCrossing intersect_triangle(const DVec3& origin, const DVec3& direction, const DVec3& a,
+                                    const DVec3& b, const DVec3& c) {
   // Permute so that the ray runs mostly along z, and shear so that it runs exactly along z
   // (section 3.1). The permutation keeps the winding when the ray runs along -z.
   const int kz = dominant_axis(direction);
@@ -63,12 +64,38 @@ Crossing intersect_triangle(const DVec3& origin, const DVec3& direction, const D
   return {t, weights.y / determinant, weights.z / determinant, true};
 }
 
-Crossing refine(const World& world, const Ray& ray, const Hit& hit) {
-  const Transform& transform = world.instances[hit.instance].transform;
-  const auto corners = world.mesh(hit).corners(hit.primitive);
-  return intersect_triangle(transform.point_to_object(DVec3(ray.origin)),
-                            transform.vector_to_object(DVec3(ray.direction)), DVec3(corners[0]),
-                            DVec3(corners[1]), DVec3(corners[2]));
+ObjectRay to_object(const Transform& transform, const Ray& ray) {
+  return {transform.point_to_object(DVec3(ray.origin)),
+          transform.vector_to_object(DVec3(ray.direction)), ray.t_min, ray.t_max};
+}
+
+std::optional<Crossing> first_crossing(const World& world, const ObjectRay& ray, const Hit& hit,
+                                       const HoleTest* holes) {
+  const Geometry& geometry = world.geometry(hit);
+  std::optional<Crossing> crossing = intersect(*geometry.shape(), ray);
+  if (!geometry.has_holes || holes == nullptr) return crossing;
+  ObjectRay rest = ray;
+  while (crossing) {
+    const Hit there{hit.instance, hit.geometry, crossing->part};
+    if (!holes->is_hole(there, Vec2(shape_point(*geometry.shape(), ray, *crossing).uv))) break;
+    rest.t_min = std::nextafter(crossing->t, std::numeric_limits<double>::infinity());
+    crossing = intersect(*geometry.shape(), rest);
+  }
+  return crossing;
+}
+
+Crossing refine(const World& world, const Ray& ray, const Hit& hit, const HoleTest* holes) {
+  const ObjectRay object_ray = to_object(world.transform(hit), ray);
+  const Mesh* mesh = world.geometry(hit).mesh();
+  if (mesh == nullptr) {
+    // The accelerator met it by the same formula with the same numbers, so it is there.
+    return first_crossing(world, object_ray, hit, holes).value_or(Crossing());
+  }
+  const auto corners = mesh->corners(hit.primitive);
+  const TriangleCrossing crossing =
+      intersect_triangle(object_ray.origin, object_ray.direction, DVec3(corners[0]),
+                         DVec3(corners[1]), DVec3(corners[2]));
+  return {crossing.t, crossing.u, crossing.v};
 }
 
 }  // namespace lume::geometry

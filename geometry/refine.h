@@ -3,19 +3,22 @@
 // named it.
 #pragma once
 
-#include "geometry/hit.h"
+#include "geometry/crossing.h"
+#include "geometry/hole_test.h"
 #include "geometry/ray.h"
 #include "geometry/world.h"
+
+#include <optional>
 
 namespace lume::geometry {
 
 /// Where the line of a ray crosses a triangle, in the triangle's object space and in double.
-struct Crossing {
+struct TriangleCrossing {
   double t = 0.0;
   double u = 0.0;  ///< barycentric coordinate of corner 1
   double v = 0.0;  ///< barycentric coordinate of corner 2
-  bool inside =
-      false;  ///< the line passes through the triangle (edges included) and is not in its plane
+  /// The line passes through the triangle (edges included) and is not in its plane.
+  bool inside = false;
 };
 
 /// The watertight ray/triangle test of Woop, Benthin and Wald 2013 ("Watertight Ray/Triangle
@@ -23,10 +26,20 @@ struct Crossing {
 /// triangle; t, u and v are then exact to double rounding. Where it does not, t, u, v are those of
 /// the nearest point that is in the triangle, so that a hit which a float accelerator reported one
 /// rounding beyond an edge still lies on its primitive.
-[[nodiscard]] Crossing intersect_triangle(const DVec3& origin, const DVec3& direction,
-                                          const DVec3& a, const DVec3& b, const DVec3& c);
+[[nodiscard]] TriangleCrossing intersect_triangle(const DVec3& origin, const DVec3& direction,
+                                                  const DVec3& a, const DVec3& b, const DVec3& c);
 
-/// The crossing of a world ray with the primitive that an accelerator named.
-[[nodiscard]] Crossing refine(const World& world, const Ray& ray, const Hit& hit);
+/// A world ray taken into the space of an instance.
+[[nodiscard]] ObjectRay to_object(const Transform& transform, const Ray& ray);
+
+/// The first crossing of the ray with the shape of `hit.geometry` that is not a hole there.
+/// `holes` may be null; hit.primitive is not looked at.
+[[nodiscard]] std::optional<Crossing> first_crossing(const World& world, const ObjectRay& ray,
+                                                     const Hit& hit, const HoleTest* holes);
+
+/// The crossing of a world ray with the primitive that an accelerator named; `holes` must be those
+/// that the accelerator knew.
+[[nodiscard]] Crossing refine(const World& world, const Ray& ray, const Hit& hit,
+                              const HoleTest* holes);
 
 }  // namespace lume::geometry

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace lume::geometry {
 namespace {
@@ -30,6 +31,16 @@ float error_bound(const Transform& transform, const std::array<Vec3, 3>& corners
   return static_cast<float>(k_half_ulp * (k_steps * dot(glm::abs(normal), error) + largest));
 }
 
+/// The same for a shape, which every accelerator meets in double: what is left is that positions
+/// are floats, when the ray's origin is stored and again when it is moved off the surface.
+float rounding_bound(const DVec3& world_point) {
+  constexpr double k_ulp = 0x1p-23;
+  constexpr double k_roundings = 2.0;
+  const DVec3 size = glm::abs(world_point);
+  return static_cast<float>(k_roundings * k_ulp * (size.x + size.y + size.z)) +
+         std::numeric_limits<float>::min();
+}
+
 /// The interpolated normal, or the geometric one where it vanishes; on the geometric one's side.
 Vec3 shading_normal(const Mesh& mesh, const UVec3& corners, Vec2 uv, const Transform& transform,
                     const Vec3& geometric_normal) {
@@ -44,56 +55,87 @@ Vec3 shading_normal(const Mesh& mesh, const UVec3& corners, Vec2 uv, const Trans
 }  // namespace
 
 Vec2 SurfacePoint::texcoord(std::uint32_t set) const {
+  const Mesh* mesh = geometry->mesh();
+  if (mesh == nullptr) return uv;
   if (set >= mesh->texcoords.size() || mesh->texcoords[set].empty()) return Vec2(0.0f);
   return interpolate(mesh->texcoords[set], mesh->triangles[hit.primitive], uv);
 }
 
 Vec4 SurfacePoint::color() const {
-  if (mesh->colors.empty()) return Vec4(1.0f);
+  const Mesh* mesh = geometry->mesh();
+  if (mesh == nullptr || mesh->colors.empty()) return Vec4(1.0f);
   return interpolate(mesh->colors, mesh->triangles[hit.primitive], uv);
 }
 
-SurfacePoint surface_point(const World& world, const Ray& ray, const Hit& hit,
-                           const Crossing& crossing) {
-  const Transform& transform = world.instances[hit.instance].transform;
-  SurfacePoint point;
-  point.hit = hit;
-  point.mesh = &world.mesh(hit);
-  point.t = static_cast<float>(crossing.t);
-  point.uv = {static_cast<float>(crossing.u), static_cast<float>(crossing.v)};
+namespace {
 
+/// The part that all surfaces have in common. `normal` is towards the front, of any length.
+void place(SurfacePoint& point, const DVec3& world_point, const DVec3& normal,
+           const DVec3& direction) {
+  const double size = length(normal);
+  const DVec3 unit = size > 0.0 ? normal / size : -normalize(direction);
+  point.position = Vec3(world_point);
+  point.shadow_origin = point.position;
+  point.geometric_normal = Vec3(unit);
+  point.front_facing = dot(unit, direction) <= 0.0;
+}
+
+void complete_triangle(const Mesh& mesh, const Transform& transform, const Ray& ray,
+                       const Crossing& crossing, SurfacePoint& point) {
   // The point comes from the corners and not from the ray, whose length would multiply its error.
-  const UVec3& corners = point.mesh->triangles[hit.primitive];
-  const auto positions = point.mesh->corners(hit.primitive);
+  const UVec3& corners = mesh.triangles[point.hit.primitive];
+  const auto positions = mesh.corners(point.hit.primitive);
   const DVec3 edge1 = DVec3(positions[1]) - DVec3(positions[0]);
   const DVec3 edge2 = DVec3(positions[2]) - DVec3(positions[0]);
   const DVec3 object_point = DVec3(positions[0]) + crossing.u * edge1 + crossing.v * edge2;
   const DVec3 world_point = transform.point_to_world(object_point);
-  point.position = Vec3(world_point);
+  place(point, world_point, transform.normal_to_world(cross(edge1, edge2)), DVec3(ray.direction));
+  point.uv = {static_cast<float>(crossing.u), static_cast<float>(crossing.v)};
+  point.normal = shading_normal(mesh, corners, point.uv, transform, point.geometric_normal);
+  point.offset = error_bound(transform, positions, world_point, DVec3(point.geometric_normal));
+}
 
-  const DVec3 n = transform.normal_to_world(cross(edge1, edge2));
-  const double size = length(n);
-  const DVec3 unit = size > 0.0 ? n / size : -normalize(DVec3(ray.direction));
-  point.geometric_normal = Vec3(unit);
-  point.front_facing = dot(unit, DVec3(ray.direction)) <= 0.0;
-  point.normal = shading_normal(*point.mesh, corners, point.uv, transform, point.geometric_normal);
-  point.offset = error_bound(transform, positions, world_point, unit);
-  point.shadow_origin = point.position;
+void complete_shape(const Shape& shape, const Transform& transform, const Ray& ray,
+                    const Crossing& crossing, SurfacePoint& point) {
+  const ShapePoint at = shape_point(shape, to_object(transform, ray), crossing);
+  const DVec3 world_point = transform.point_to_world(at.position);
+  place(point, world_point, transform.normal_to_world(at.normal), DVec3(ray.direction));
+  point.uv = Vec2(at.uv);
+  point.normal = point.geometric_normal;
+  point.dp_du = Vec3(transform.vector_to_world(at.dp_du));
+  point.dp_dv = Vec3(transform.vector_to_world(at.dp_dv));
+  point.offset = rounding_bound(world_point);
+}
+
+}  // namespace
+
+SurfacePoint surface_point(const World& world, const Ray& ray, const Hit& hit,
+                           const Crossing& crossing) {
+  SurfacePoint point;
+  point.hit = hit;
+  point.geometry = &world.geometry(hit);
+  point.t = static_cast<float>(crossing.t);
+  const Transform& transform = world.transform(hit);
+  if (const Mesh* mesh = point.geometry->mesh()) {
+    complete_triangle(*mesh, transform, ray, crossing, point);
+  } else {
+    complete_shape(*point.geometry->shape(), transform, ray, crossing, point);
+  }
   return point;
 }
 
 void lift_shadow_origin(const World& world, SurfacePoint& point) {
-  const Mesh& mesh = *point.mesh;
-  if (mesh.normals.empty()) return;
-  const Transform& transform = world.instances[point.hit.instance].transform;
-  const UVec3& corners = mesh.triangles[point.hit.primitive];
+  const Mesh* mesh = point.geometry->mesh();
+  if (mesh == nullptr || mesh->normals.empty()) return;
+  const Transform& transform = world.transform(point.hit);
+  const UVec3& corners = mesh->triangles[point.hit.primitive];
   const std::array weights = {1.0f - point.uv.x - point.uv.y, point.uv.x, point.uv.y};
   const Vec3 side = point.front_facing ? point.geometric_normal : -point.geometric_normal;
   for (int i = 0; i < 3; ++i) {
     // Where the point lies below the plane across a corner's normal, it is raised onto it; the
     // three corners' planes are blended by the barycentric coordinates.
-    const Vec3 corner(transform.point_to_world(DVec3(mesh.positions[corners[i]])));
-    Vec3 n(transform.normal_to_world(DVec3(mesh.normals[corners[i]])));
+    const Vec3 corner(transform.point_to_world(DVec3(mesh->positions[corners[i]])));
+    Vec3 n(transform.normal_to_world(DVec3(mesh->normals[corners[i]])));
     const float size = length(n);
     if (!(size > 0.0f)) continue;
     n *= (dot(n, side) < 0.0f ? -1.0f : 1.0f) / size;
@@ -102,42 +144,59 @@ void lift_shadow_origin(const World& world, SurfacePoint& point) {
   }
 }
 
-Frame tangent_frame(const World& world, const SurfacePoint& point, std::uint32_t set,
-                    const glm::mat2& uv_transform) {
-  const Mesh& mesh = *point.mesh;
+namespace {
+
+/// Directions in which the texture coordinates grow (u) and fall (v), of any length.
+struct ImageAxes {
+  DVec3 along_u{0.0};
+  DVec3 against_v{0.0};
+};
+
+/// Solves P_i - P_0 = dP/du (u_i - u_0) + dP/dv (v_i - v_0) for the two edges. The determinant's
+/// size does not turn the directions, only its sign does.
+ImageAxes solve_axes(const DVec3& edge1, const DVec3& edge2, const glm::dvec2& uv1,
+                     const glm::dvec2& uv2) {
+  const double sign = uv1.x * uv2.y - uv2.x * uv1.y < 0.0 ? -1.0 : 1.0;
+  return {sign * (edge1 * uv2.y - edge2 * uv1.y), sign * (edge1 * uv2.x - edge2 * uv1.x)};
+}
+
+ImageAxes mesh_axes(const Mesh& mesh, const SurfacePoint& point, std::uint32_t set,
+                    const glm::dmat2& uv_transform) {
   const UVec3& corners = mesh.triangles[point.hit.primitive];
-  DVec3 along_u(0.0);
-  DVec3 against_v(0.0);
   if (!mesh.tangents.empty()) {
     const Vec4 tangent = interpolate(mesh.tangents, corners, point.uv);
     const Vec3 normal = interpolate(mesh.normals, corners, point.uv);
-    along_u = DVec3(Vec3(tangent));
-    against_v = DVec3(cross(normal, Vec3(tangent)) * tangent.w);
-  } else if (set < mesh.texcoords.size() && !mesh.texcoords[set].empty()) {
-    // Solve P_i - P_0 = dP/du (u_i - u_0) + dP/dv (v_i - v_0) for the two edges.
-    const auto [a, b, c] = mesh.corners(point.hit.primitive);
-    const auto& uv = mesh.texcoords[set];
-    const glm::dmat2 map(uv_transform);
-    const glm::dvec2 uv1 = map * (glm::dvec2(uv[corners.y]) - glm::dvec2(uv[corners.x]));
-    const glm::dvec2 uv2 = map * (glm::dvec2(uv[corners.z]) - glm::dvec2(uv[corners.x]));
-    const DVec3 edge1 = DVec3(b) - DVec3(a);
-    const DVec3 edge2 = DVec3(c) - DVec3(a);
-    const double determinant = uv1.x * uv2.y - uv2.x * uv1.y;
-    const double sign = determinant < 0.0 ? -1.0 : 1.0;  // its size does not turn the directions
-    along_u = sign * (edge1 * uv2.y - edge2 * uv1.y);
-    against_v = sign * (edge1 * uv2.x - edge2 * uv1.x);
+    return {DVec3(Vec3(tangent)), DVec3(cross(normal, Vec3(tangent)) * tangent.w)};
+  }
+  if (set >= mesh.texcoords.size() || mesh.texcoords[set].empty()) return {};
+  const auto [a, b, c] = mesh.corners(point.hit.primitive);
+  const auto& uv = mesh.texcoords[set];
+  return solve_axes(DVec3(b) - DVec3(a), DVec3(c) - DVec3(a),
+                    uv_transform * (glm::dvec2(uv[corners.y]) - glm::dvec2(uv[corners.x])),
+                    uv_transform * (glm::dvec2(uv[corners.z]) - glm::dvec2(uv[corners.x])));
+}
+
+}  // namespace
+
+Frame tangent_frame(const World& world, const SurfacePoint& point, std::uint32_t set,
+                    const glm::mat2& uv_transform) {
+  const glm::dmat2 map(uv_transform);
+  ImageAxes axes;
+  if (const Mesh* mesh = point.geometry->mesh()) {
+    const Transform& transform = world.transform(point.hit);
+    axes = mesh_axes(*mesh, point, set, map);
+    axes = {transform.vector_to_world(axes.along_u), transform.vector_to_world(axes.against_v)};
+  } else {
+    axes = solve_axes(DVec3(point.dp_du), DVec3(point.dp_dv), map[0], map[1]);
   }
 
-  const Transform& transform = world.instances[point.hit.instance].transform;
-  const Vec3 tangent(transform.vector_to_world(along_u));
+  const Vec3 tangent(axes.along_u);
   const Vec3 in_plane = tangent - point.normal * dot(point.normal, tangent);
   const float size = length(in_plane);
   if (!(size > 1e-6f * length(tangent))) return make_frame(point.normal);
   Frame frame{in_plane / size, {}, point.normal};
   frame.bitangent = cross(frame.normal, frame.tangent);
-  if (dot(frame.bitangent, Vec3(transform.vector_to_world(against_v))) < 0.0f) {
-    frame.bitangent = -frame.bitangent;
-  }
+  if (dot(frame.bitangent, Vec3(axes.against_v)) < 0.0f) frame.bitangent = -frame.bitangent;
   return frame;
 }
 

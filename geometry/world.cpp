@@ -5,7 +5,10 @@ namespace lume::geometry {
 
 Bounds Object::bounds() const {
   Bounds result;
-  for (const Mesh& mesh : geometries) result.add(mesh.bounds());
+  for (const Geometry& geometry : geometries) {
+    const Bounds bounds = geometry.bounds();
+    if (bounds.is_finite()) result.add(bounds);
+  }
   return result;
 }
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "geometry/bounds.h"
+#include "geometry/geometry.h"
 #include "geometry/hit.h"
-#include "geometry/mesh.h"
 #include "geometry/transform.h"
 
 #include <string>
@@ -15,8 +15,9 @@ namespace lume::geometry {
 /// What moves as one and is built once: the primitives of a glTF mesh.
 struct Object {
   std::string name;
-  std::vector<Mesh> geometries;
+  std::vector<Geometry> geometries;
 
+  /// Around all that has an end, in the object's space.
   [[nodiscard]] Bounds bounds() const;
 };
 
@@ -31,10 +32,14 @@ struct World {
   std::vector<Object> objects;
   std::vector<Instance> instances;
 
-  [[nodiscard]] const Mesh& mesh(const Hit& hit) const {
+  [[nodiscard]] const Geometry& geometry(const Hit& hit) const {
     return objects[instances[hit.instance].object].geometries[hit.geometry];
   }
-  /// Around all instances, in the scene's frame; empty for a world without any.
+  [[nodiscard]] const Transform& transform(const Hit& hit) const {
+    return instances[hit.instance].transform;
+  }
+  /// Around all instances, in the scene's frame, but for surfaces without an end; empty for a world
+  /// without any.
   [[nodiscard]] Bounds bounds() const;
 };
 

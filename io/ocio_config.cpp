@@ -88,6 +88,7 @@ OcioConfig load_ocio_config(const std::filesystem::path& path) {
 
 std::vector<std::string> display_names(const OcioConfig& config) {
   std::vector<std::string> names;
+  names.reserve(static_cast<std::size_t>(config.config->getNumDisplays()));
   for (int i = 0; i < config.config->getNumDisplays(); ++i) {
     names.emplace_back(config.config->getDisplay(i));
   }

@@ -58,7 +58,7 @@ void write_aov(Aov aov, const PreparedScene& prepared, const geometry::Camera& c
       *out = static_cast<float>(point.hit.instance + 1);
       break;
     case Aov::material:
-      *out = static_cast<float>(point.mesh->material + 1);
+      *out = static_cast<float>(point.geometry->material + 1);
       break;
   }
 }

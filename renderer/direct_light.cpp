@@ -91,7 +91,7 @@ Color emitter_light(const PreparedScene& prepared, const ShadedPoint& point, con
   const Vec3 to_light = offset / distance;
   geometry::SurfacePoint met;  // only what evaluate_emission looks at
   met.hit = sample.hit;
-  met.mesh = &prepared.scene().world.mesh(sample.hit);
+  met.geometry = &prepared.scene().world.geometry(sample.hit);
   met.uv = sample.uv;
   met.front_facing = dot(sample.normal, to_light) < 0.0f;
   const float cosine = std::abs(dot(sample.normal, to_light));

@@ -14,8 +14,8 @@ using geometry::SurfacePoint;
 
 /// Corners of a triangle in the scene's frame.
 std::array<Vec3, 3> world_corners(const geometry::World& world, const Hit& hit) {
-  auto corners = world.mesh(hit).corners(hit.primitive);
-  const geometry::Transform& transform = world.instances[hit.instance].transform;
+  auto corners = world.geometry(hit).mesh()->corners(hit.primitive);
+  const geometry::Transform& transform = world.transform(hit);
   for (Vec3& corner : corners) {
     corner = Vec3(transform.point_to_world(geometry::DVec3(corner)));
   }
@@ -29,8 +29,8 @@ float mean_luminance(const shading::Scene& scene, const Hit& hit) {
   constexpr float k_least_share = 0.02f;
   SurfacePoint point;
   point.hit = hit;
-  point.mesh = &scene.world.mesh(hit);
-  const shading::Material& material = scene.materials[point.mesh->material];
+  point.geometry = &scene.world.geometry(hit);
+  const shading::Material& material = scene.materials[point.geometry->material];
   const float whole = shading::luminance(material.emission);
   if (!material.emission_texture) return whole;
   float sum = 0.0f;
@@ -55,11 +55,12 @@ Emitters::Emitters(const shading::Scene& scene) : scene_(&scene) {
   for (hit.instance = 0; hit.instance < world.instances.size(); ++hit.instance) {
     const auto& geometries = world.objects[world.instances[hit.instance].object].geometries;
     for (hit.geometry = 0; hit.geometry < geometries.size(); ++hit.geometry) {
-      const geometry::Mesh& mesh = geometries[hit.geometry];
-      if (!scene.materials[mesh.material].is_emissive()) continue;
+      const geometry::Mesh* mesh = geometries[hit.geometry].mesh();
+      if (mesh == nullptr) continue;
+      if (!scene.materials[geometries[hit.geometry].material].is_emissive()) continue;
       first_[hit.instance].resize(geometries.size(), k_none);
       first_[hit.instance][hit.geometry] = static_cast<std::uint32_t>(triangles_.size());
-      for (hit.primitive = 0; hit.primitive < mesh.triangles.size(); ++hit.primitive) {
+      for (hit.primitive = 0; hit.primitive < mesh->triangles.size(); ++hit.primitive) {
         const auto [a, b, c] = world_corners(world, hit);
         const float area = 0.5f * length(cross(b - a, c - a));
         triangles_.push_back({hit, area});
@@ -80,11 +81,11 @@ EmitterSample Emitters::sample(float choice, Vec2 random) const {
   result.uv = {root * (1.0f - random.y), root * random.y};
   const auto [a, b, c] = world_corners(scene_->world, triangle.hit);
   result.position = a + result.uv.x * (b - a) + result.uv.y * (c - a);
-  const auto& instance = scene_->world.instances[triangle.hit.instance];
-  const auto corners = scene_->world.mesh(triangle.hit).corners(triangle.hit.primitive);
+  const geometry::World& world = scene_->world;
+  const auto corners = world.geometry(triangle.hit).mesh()->corners(triangle.hit.primitive);
   const Vec3 object_normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
-  result.normal =
-      normalize(Vec3(instance.transform.normal_to_world(geometry::DVec3(object_normal))));
+  const geometry::Transform& transform = world.transform(triangle.hit);
+  result.normal = normalize(Vec3(transform.normal_to_world(geometry::DVec3(object_normal))));
   result.area_pdf = triangle.area > 0.0f ? chosen.probability / triangle.area : 0.0f;
   return result;
 }

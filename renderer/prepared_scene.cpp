@@ -8,12 +8,12 @@
 namespace lume::renderer {
 namespace {
 
-/// Whether any mesh in the scene has a material of the kind.
+/// Whether any surface in the scene has a material of the kind.
 template <class Kind>
 bool any_material(const shading::Scene& scene, const Kind& is_of_kind) {
   for (const geometry::Object& object : scene.world.objects) {
-    for (const geometry::Mesh& mesh : object.geometries) {
-      if (is_of_kind(scene.materials[mesh.material])) return true;
+    for (const geometry::Geometry& geometry : object.geometries) {
+      if (is_of_kind(scene.materials[geometry.material])) return true;
     }
   }
   return false;
@@ -31,22 +31,26 @@ PreparedScene::PreparedScene(const shading::Scene& scene, std::string_view accel
       has_one_way_(
           any_material(scene, [](const auto& material) { return material.is_one_way(); })) {}
 
+std::optional<geometry::SurfacePoint> PreparedScene::closest_point(const geometry::Ray& ray) const {
+  const auto hit = accelerator_->closest_hit(ray);
+  if (!hit) return std::nullopt;
+  const geometry::Crossing crossing = refine(scene_.world, ray, *hit, holes_.get());
+  return surface_point(scene_.world, ray, *hit, crossing);
+}
+
 std::optional<geometry::SurfacePoint> PreparedScene::first_surface(geometry::Ray ray) const {
   constexpr int k_most_culled = 10000;  // each step moves on, but a lie in a file must not hang us
   float t_before = 0.0f;
   for (int culled = 0; culled < k_most_culled; ++culled) {
-    const auto hit = accelerator_->closest_hit(ray);
-    if (!hit) return std::nullopt;
-    const geometry::Crossing crossing = refine(scene_.world, ray, *hit);
-    geometry::SurfacePoint point = surface_point(scene_.world, ray, *hit, crossing);
-    point.t += t_before;
-    const bool visible = point.front_facing || !scene_.materials[point.mesh->material].is_one_way();
-    if (visible) {
-      lift_shadow_origin(scene_.world, point);
+    auto point = closest_point(ray);
+    if (!point) return std::nullopt;
+    point->t += t_before;
+    if (point->front_facing || !scene_.materials[point->geometry->material].is_one_way()) {
+      lift_shadow_origin(scene_.world, *point);
       return point;
     }
-    t_before = point.t;
-    ray = leave(point, ray.direction);
+    t_before = point->t;
+    ray = leave(*point, ray.direction);
   }
   return std::nullopt;
 }

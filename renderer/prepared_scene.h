@@ -27,6 +27,9 @@ class PreparedScene {
   /// Some surface is absent when it is met from behind.
   [[nodiscard]] bool has_one_way() const { return has_one_way_; }
 
+  /// The first surface along the ray that is not a hole, visible or not.
+  [[nodiscard]] std::optional<geometry::SurfacePoint> closest_point(const geometry::Ray& ray) const;
+
   /// The first visible surface along the ray. Back faces of single-sided materials are not visible.
   /// When there are none to skip this is one query of the accelerator.
   [[nodiscard]] std::optional<geometry::SurfacePoint> first_surface(geometry::Ray ray) const;

@@ -50,21 +50,20 @@ Transmittance trace_shadow(const PreparedScene& prepared, geometry::Ray ray, Ray
   const float length_of_t = length(ray.direction);
   Transmittance result;
   for (int surface = 0; surface < k_most_surfaces; ++surface) {
-    const auto hit = prepared.accelerator().closest_hit(ray);
-    if (!hit) return result;
-    const auto point = surface_point(scene.world, ray, *hit, refine(scene.world, ray, *hit));
-    const shading::Material& material = scene.materials[point.mesh->material];
-    const bool from_behind = material.is_one_way() && point.front_facing;
+    const auto point = prepared.closest_point(ray);
+    if (!point) return result;
+    const shading::Material& material = scene.materials[point->geometry->material];
+    const bool from_behind = material.is_one_way() && point->front_facing;
     if (!from_behind) {
       if (!material.is_see_through()) return k_blocked;
-      const Transmittance crossing = cross(scene, point, ray, length_of_t);
+      const Transmittance crossing = cross(scene, *point, ray, length_of_t);
       result.color *= crossing.color;
       result.through_transmissive |= crossing.through_transmissive;
       if (shading::max_component(result.color) <= 0.0f) return k_blocked;
     }
-    const float t_left = ray.t_max - point.t;
+    const float t_left = ray.t_max - point->t;
     if (!(t_left > 0.0f)) return result;
-    ray = leave(point, ray.direction);
+    ray = leave(*point, ray.direction);
     ray.t_max = t_left;
   }
   return k_blocked;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "geometry/accelerators/accelerator.h"
+#include "geometry/hole_test.h"
 #include "shading/material_point.h"
 
 namespace lume::shading {

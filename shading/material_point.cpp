@@ -6,11 +6,10 @@
 namespace lume::shading {
 namespace {
 
-using geometry::Mesh;
 using geometry::SurfacePoint;
 
-const Material& material_of(const Scene& scene, const Mesh& mesh) {
-  return scene.materials[mesh.material];
+const Material& material_of(const Scene& scene, const SurfacePoint& point) {
+  return scene.materials[point.geometry->material];
 }
 
 Vec4 read(const Scene& scene, const TextureUse& use, Encoding encoding, Vec2 texcoord) {
@@ -61,7 +60,7 @@ Vec3 face_viewer(const Vec3& normal, const Vec3& to_viewer) {
 }  // namespace
 
 Vec4 evaluate_base_color(const Scene& scene, const SurfacePoint& point) {
-  const Material& material = material_of(scene, *point.mesh);
+  const Material& material = material_of(scene, point);
   Vec4 color = Vec4(material.base_color, material.alpha) * point.color();
   if (material.base_color_texture) {
     color *= read(scene, material.base_color_texture, Encoding::srgb, point);
@@ -72,13 +71,13 @@ Vec4 evaluate_base_color(const Scene& scene, const SurfacePoint& point) {
 float evaluate_coverage(const Scene& scene, const geometry::Hit& hit, Vec2 uv) {
   SurfacePoint point;  // only what texcoord() and color() look at
   point.hit = hit;
-  point.mesh = &scene.world.mesh(hit);
+  point.geometry = &scene.world.geometry(hit);
   point.uv = uv;
   return evaluate_base_color(scene, point).w;
 }
 
 Color evaluate_emission(const Scene& scene, const SurfacePoint& point) {
-  const Material& material = material_of(scene, *point.mesh);
+  const Material& material = material_of(scene, point);
   if (!material.is_emissive() || !(point.front_facing || material.double_sided)) return Color(0.0f);
   if (!material.emission_texture) return material.emission;
   return material.emission * Color(read(scene, material.emission_texture, Encoding::srgb, point));
@@ -86,7 +85,7 @@ Color evaluate_emission(const Scene& scene, const SurfacePoint& point) {
 
 MaterialPoint evaluate_material(const Scene& scene, const SurfacePoint& point,
                                 const Vec3& to_viewer) {
-  const Material& material = material_of(scene, *point.mesh);
+  const Material& material = material_of(scene, point);
   MaterialPoint result;
   result.material = &material;
   const Vec4 base_color = evaluate_base_color(scene, point);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "geometry/hit.h"
+#include "geometry/hole_test.h"
 #include "geometry/ray.h"
 #include "geometry/world.h"
 
@@ -14,18 +15,6 @@
 #include <string_view>
 
 namespace lume::geometry {
-
-/// Says where a surface has a hole (alpha-masked texels). Called from inside traversals, on many
-/// threads at once, only for meshes with has_holes.
-class HoleTest {
- public:
-  HoleTest() = default;
-  HoleTest(const HoleTest&) = delete;
-  HoleTest& operator=(const HoleTest&) = delete;
-  virtual ~HoleTest() = default;
-  /// True if the surface is absent at barycentric (u, v) of the named primitive.
-  [[nodiscard]] virtual bool is_hole(const Hit& hit, Vec2 uv) const = 0;
-};
 
 struct AcceleratorStats {
   double build_seconds = 0.0;
@@ -53,8 +42,8 @@ class Accelerator {
 [[nodiscard]] std::span<const std::string_view> accelerator_names();
 
 /// Builds a structure over `world`, which must outlive it, as must `holes` (may be null when no
-/// mesh has holes). Throws std::invalid_argument for an unknown name and std::runtime_error when
-/// the structure cannot be built (out of memory).
+/// geometry has holes). Throws std::invalid_argument for an unknown name and std::runtime_error
+/// when the structure cannot be built (out of memory).
 [[nodiscard]] std::unique_ptr<Accelerator> make_accelerator(std::string_view name,
                                                             const World& world,
                                                             const HoleTest* holes);

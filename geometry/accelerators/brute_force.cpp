@@ -37,7 +37,9 @@ class BruteForce final : public Accelerator {
     AcceleratorStats stats;
     stats.instances = world_.instances.size();
     for (const Object& object : world_.objects) {
-      for (const Mesh& mesh : object.geometries) stats.primitives += mesh.triangles.size();
+      for (const Geometry& geometry : object.geometries) {
+        stats.primitives += geometry.primitive_count();
+      }
     }
     return stats;
   }
@@ -50,20 +52,38 @@ class BruteForce final : public Accelerator {
     Hit hit;
     for (hit.instance = 0; hit.instance < world_.instances.size(); ++hit.instance) {
       const Object& object = world_.objects[world_.instances[hit.instance].object];
+      const ObjectRay object_ray = to_object(world_.transform(hit), ray);
       for (hit.geometry = 0; hit.geometry < object.geometries.size(); ++hit.geometry) {
-        const Mesh& mesh = object.geometries[hit.geometry];
-        for (hit.primitive = 0; hit.primitive < mesh.triangles.size(); ++hit.primitive) {
-          const Crossing crossing = refine(world_, ray, hit);
-          const bool within = crossing.t >= ray.t_min && crossing.t <= ray.t_max;
-          if (!crossing.inside || !within || is_hole(mesh, hit, crossing)) continue;
-          if (!visit(hit, crossing.t)) return;
-        }
+        const Mesh* mesh = object.geometries[hit.geometry].mesh();
+        const bool go_on = mesh != nullptr ? visit_triangles(object_ray, *mesh, hit, visit)
+                                           : visit_shape(object_ray, hit, visit);
+        if (!go_on) return;
       }
     }
   }
 
-  [[nodiscard]] bool is_hole(const Mesh& mesh, const Hit& hit, const Crossing& crossing) const {
-    return mesh.has_holes && holes_ != nullptr &&
+  template <class Visit>
+  bool visit_triangles(const ObjectRay& ray, const Mesh& mesh, Hit hit, const Visit& visit) const {
+    for (hit.primitive = 0; hit.primitive < mesh.triangles.size(); ++hit.primitive) {
+      const auto corners = mesh.corners(hit.primitive);
+      const TriangleCrossing crossing = intersect_triangle(
+          ray.origin, ray.direction, DVec3(corners[0]), DVec3(corners[1]), DVec3(corners[2]));
+      if (!crossing.inside || !ray.contains(crossing.t) || is_hole(hit, crossing)) continue;
+      if (!visit(hit, crossing.t)) return false;
+    }
+    return true;
+  }
+
+  template <class Visit>
+  bool visit_shape(const ObjectRay& ray, Hit hit, const Visit& visit) const {
+    const auto crossing = first_crossing(world_, ray, hit, holes_);
+    if (!crossing) return true;
+    hit.primitive = crossing->part;
+    return visit(hit, crossing->t);
+  }
+
+  [[nodiscard]] bool is_hole(const Hit& hit, const TriangleCrossing& crossing) const {
+    return world_.geometry(hit).has_holes && holes_ != nullptr &&
            holes_->is_hole(hit, {static_cast<float>(crossing.u), static_cast<float>(crossing.v)});
   }
 

@@ -5,10 +5,13 @@
 
 #include <embree3/rtcore.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -16,24 +19,103 @@
 namespace lume::geometry {
 namespace {
 
-/// Embree hands this back to the filter: the first member is what it knows, the rest is ours.
+/// Embree hands this back to the functions below: the first member is what it knows, the rest is
+/// ours.
 struct QueryContext {
   RTCIntersectContext embree;
   const Ray* ray;  ///< in the scene's frame; Embree's own copy is in object space by then
   const World* world;
   const HoleTest* holes;
+  /// The nearest shape so far. Embree keeps distances as floats, and two shapes may be nearer to
+  /// each other than those can tell.
+  std::optional<Hit> nearest = std::nullopt;
+  double nearest_t = std::numeric_limits<double>::infinity();
 };
+
+QueryContext& query_of(RTCIntersectContext* context) {
+  return *reinterpret_cast<QueryContext*>(context);
+}
 
 /// Embree asks this at each candidate on a mesh with holes, for closest and any hits alike. The
 /// barycentric coordinates are refined first, so that the rim of a hole is the same under every
 /// accelerator.
 void reject_holes(const RTCFilterFunctionNArguments* args) {
-  const auto& query = *reinterpret_cast<const QueryContext*>(args->context);
+  const QueryContext& query = query_of(args->context);
   const auto& candidate = *reinterpret_cast<const RTCHit*>(args->hit);  // N is 1: single rays only
   const Hit hit{candidate.instID[0], candidate.geomID, candidate.primID};
-  const Crossing crossing = refine(*query.world, *query.ray, hit);
+  const Crossing crossing = refine(*query.world, *query.ray, hit, nullptr);
   const Vec2 uv(static_cast<float>(crossing.u), static_cast<float>(crossing.v));
   if (query.holes->is_hole(hit, uv)) args->valid[0] = 0;
+}
+
+/// All shapes of the world that have an end, as often as they are placed: what Embree's user
+/// primitives stand for.
+struct PlacedShapes {
+  const World& world;
+  std::vector<Hit> shapes;  ///< by primID
+};
+
+const PlacedShapes& placed_shapes(const void* user_pointer) {
+  return *static_cast<const PlacedShapes*>(user_pointer);
+}
+
+void bound_shape(const RTCBoundsFunctionArguments* args) {
+  const PlacedShapes& placed = placed_shapes(args->geometryUserPtr);
+  const Hit& hit = placed.shapes[args->primID];
+  const Bounds bounds =
+      shape_bounds(*placed.world.geometry(hit).shape(), placed.world.transform(hit));
+  *args->bounds_o = {bounds.lower.x, bounds.lower.y, bounds.lower.z, 0.0f,
+                     bounds.upper.x, bounds.upper.y, bounds.upper.z, 0.0f};
+}
+
+/// The nearest float that is not below: what Embree may look at must reach to t itself.
+float rounded_up(double t) {
+  const auto nearest = static_cast<float>(t);
+  return static_cast<double>(nearest) >= t
+             ? nearest
+             : std::nextafter(nearest, std::numeric_limits<float>::infinity());
+}
+
+/// Makes the shape the nearest hit if it is. Returns whether it is.
+bool take_if_nearest(QueryContext& query, Hit hit, float t_max) {
+  ObjectRay ray = to_object(query.world->transform(hit), *query.ray);
+  ray.t_max = std::min(static_cast<double>(t_max), query.nearest_t);
+  const auto crossing = first_crossing(*query.world, ray, hit, query.holes);
+  if (!crossing) return false;
+  hit.primitive = crossing->part;
+  // Of several at the same place the lowest identity is met.
+  if (crossing->t == query.nearest_t && query.nearest && *query.nearest < hit) return false;
+  query.nearest = hit;
+  query.nearest_t = crossing->t;
+  return true;
+}
+
+/// Whether the query's ray meets the shape at all.
+bool is_occluded(const QueryContext& query, const Hit& hit) {
+  const Geometry& geometry = query.world->geometry(hit);
+  const ObjectRay ray = to_object(query.world->transform(hit), *query.ray);
+  if (geometry.has_holes) return first_crossing(*query.world, ray, hit, query.holes).has_value();
+  return meets(*geometry.shape(), ray);
+}
+
+void intersect_shape(const RTCIntersectFunctionNArguments* args) {
+  if (args->valid[0] == 0) return;
+  QueryContext& query = query_of(args->context);
+  auto& state = *reinterpret_cast<RTCRayHit*>(args->rayhit);
+  const Hit hit = placed_shapes(args->geometryUserPtr).shapes[args->primID];
+  if (!take_if_nearest(query, hit, state.ray.tfar)) return;
+  state.ray.tfar = rounded_up(query.nearest_t);
+  state.hit.instID[0] = query.nearest->instance;
+  state.hit.geomID = query.nearest->geometry;
+  state.hit.primID = query.nearest->primitive;
+}
+
+void occlude_shape(const RTCOccludedFunctionNArguments* args) {
+  if (args->valid[0] == 0) return;
+  const QueryContext& query = query_of(args->context);
+  auto& ray = *reinterpret_cast<RTCRay*>(args->ray);
+  const Hit hit = placed_shapes(args->geometryUserPtr).shapes[args->primID];
+  if (is_occluded(query, hit)) ray.tfar = -std::numeric_limits<float>::infinity();
 }
 
 RTCRay to_embree(const Ray& ray) {
@@ -52,7 +134,8 @@ RTCRay to_embree(const Ray& ray) {
 
 class Embree final : public Accelerator {
  public:
-  Embree(const World& world, const HoleTest* holes) : world_(world), holes_(holes) {
+  Embree(const World& world, const HoleTest* holes)
+      : world_(world), holes_(holes), placed_{world, {}} {
     const auto start = std::chrono::steady_clock::now();
     device_ = rtcNewDevice(std::getenv("LUME_EMBREE_CONFIG"));
     if (device_ == nullptr) throw std::runtime_error("Embree cannot start: " + last_error());
@@ -73,14 +156,22 @@ class Embree final : public Accelerator {
     QueryContext context = make_context(ray);
     RTCRayHit query{to_embree(ray), {}};
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    for (const Hit& shape : unbounded_) {
+      if (take_if_nearest(context, shape, ray.t_max)) {
+        query.ray.tfar = rounded_up(context.nearest_t);
+      }
+    }
     rtcIntersect1(scene_, &context.embree, &query);
-    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return context.nearest;
     return Hit{query.hit.instID[0], query.hit.geomID, query.hit.primID};
   }
 
   bool any_hit(const Ray& ray) const override {
     if (!is_traceable(ray)) return false;
     QueryContext context = make_context(ray);
+    for (const Hit& shape : unbounded_) {
+      if (is_occluded(context, shape)) return true;
+    }
     RTCRay query = to_embree(ray);
     rtcOccluded1(scene_, &context.embree, &query);
     return query.tfar < 0.0f;  // Embree's sign for "occluded"
@@ -92,14 +183,16 @@ class Embree final : public Accelerator {
     stats.memory_bytes = static_cast<std::size_t>(memory_bytes_.load());
     stats.instances = world_.instances.size();
     for (const Object& object : world_.objects) {
-      for (const Mesh& mesh : object.geometries) stats.primitives += mesh.triangles.size();
+      for (const Geometry& geometry : object.geometries) {
+        stats.primitives += geometry.primitive_count();
+      }
     }
     return stats;
   }
 
  private:
   [[nodiscard]] QueryContext make_context(const Ray& ray) const {
-    QueryContext context{{}, &ray, &world_, holes_};
+    QueryContext context{.embree = {}, .ray = &ray, .world = &world_, .holes = holes_};
     rtcInitIntersectContext(&context.embree);
     return context;
   }
@@ -114,26 +207,60 @@ class Embree final : public Accelerator {
 
   void build() {
     scene_ = new_scene();
-    object_scenes_.reserve(world_.objects.size());
-    for (const Object& object : world_.objects) {
-      object_scenes_.push_back(new_scene());
-      for (std::uint32_t i = 0; i < object.geometries.size(); ++i) {
-        attach_mesh(object_scenes_.back(), object.geometries[i], i);
-      }
-      commit(object_scenes_.back());
-    }
-    for (std::uint32_t i = 0; i < world_.instances.size(); ++i) {
-      attach_instance(world_.instances[i], i);
-    }
+    for (const Object& object : world_.objects) object_scenes_.push_back(build_object(object));
+    for (std::uint32_t i = 0; i < world_.instances.size(); ++i) place(i);
+    attach_shapes();
     commit(scene_);
   }
 
-  void attach_mesh(RTCScene scene, const Mesh& mesh, std::uint32_t id) const {
+  /// The hierarchy over an object's triangles; null if it has none.
+  [[nodiscard]] RTCScene build_object(const Object& object) const {
+    RTCScene scene = nullptr;
+    for (std::uint32_t i = 0; i < object.geometries.size(); ++i) {
+      if (object.geometries[i].mesh() == nullptr) continue;
+      if (scene == nullptr) scene = new_scene();
+      attach_mesh(scene, object.geometries[i], i);
+    }
+    if (scene != nullptr) commit(scene);
+    return scene;
+  }
+
+  /// Triangles are met in their object's space, shapes in the scene's: there each has the tightest
+  /// bounds, and no ray is rounded on its way to it. A shape of many parts has a hierarchy of its
+  /// own inside, which its instances share.
+  void place(std::uint32_t index) {
+    const Instance& instance = world_.instances[index];
+    if (object_scenes_[instance.object] != nullptr) attach_instance(instance, index);
+    const std::vector<Geometry>& geometries = world_.objects[instance.object].geometries;
+    for (std::uint32_t i = 0; i < geometries.size(); ++i) {
+      const Shape* shape = geometries[i].shape();
+      if (shape == nullptr) continue;
+      const bool is_bounded = shape_bounds(*shape, instance.transform).is_finite();
+      (is_bounded ? placed_.shapes : unbounded_).push_back({index, i, 0});
+    }
+  }
+
+  void attach_shapes() {
+    if (placed_.shapes.empty()) return;
+    RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_USER);
+    rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(placed_.shapes.size()));
+    rtcSetGeometryUserData(geometry, &placed_);
+    rtcSetGeometryBoundsFunction(geometry, bound_shape, nullptr);
+    rtcSetGeometryIntersectFunction(geometry, intersect_shape);
+    rtcSetGeometryOccludedFunction(geometry, occlude_shape);
+    rtcCommitGeometry(geometry);
+    // Instances have the numbers that they have in the world, so the shapes come behind them.
+    rtcAttachGeometryByID(scene_, geometry, static_cast<unsigned>(world_.instances.size()));
+    rtcReleaseGeometry(geometry);
+  }
+
+  void attach_mesh(RTCScene scene, const Geometry& source, std::uint32_t id) const {
+    const Mesh& mesh = *source.mesh();
     RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
     // Embree's own buffers and not ours, since it reads 16 bytes at the last vertex.
     copy_buffer(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, mesh.positions);
     copy_buffer(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, mesh.triangles);
-    if (mesh.has_holes && holes_ != nullptr) {
+    if (source.has_holes && holes_ != nullptr) {
       rtcSetGeometryIntersectFilterFunction(geometry, reject_holes);
       rtcSetGeometryOccludedFilterFunction(geometry, reject_holes);
     }
@@ -184,7 +311,9 @@ class Embree final : public Accelerator {
 
   void release() {
     if (scene_ != nullptr) rtcReleaseScene(scene_);
-    for (RTCScene scene : object_scenes_) rtcReleaseScene(scene);
+    for (RTCScene scene : object_scenes_) {
+      if (scene != nullptr) rtcReleaseScene(scene);
+    }
     if (device_ != nullptr) rtcReleaseDevice(device_);
   }
 
@@ -192,7 +321,9 @@ class Embree final : public Accelerator {
   const HoleTest* holes_;
   RTCDevice device_ = nullptr;
   RTCScene scene_ = nullptr;
-  std::vector<RTCScene> object_scenes_;
+  std::vector<RTCScene> object_scenes_;  ///< by object; null if it has no triangles
+  PlacedShapes placed_;
+  std::vector<Hit> unbounded_;  ///< shapes that no hierarchy can hold, asked before it
   std::atomic<ssize_t> memory_bytes_ = 0;
   double build_seconds_ = 0.0;
 };

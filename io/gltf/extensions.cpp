@@ -12,11 +12,12 @@ namespace lume::io::gltf {
 namespace {
 
 constexpr auto k_known = std::to_array<KnownExtension>({
-    {"EXT_mesh_gpu_instancing", Support::ignored, "each mesh is drawn once, at its node", true},
+    {"EXT_mesh_gpu_instancing", Support::full, ""},
     {"EXT_meshopt_compression", Support::ignored, "the uncompressed fallback is read", true},
     {"EXT_texture_webp", Support::full, ""},
     {"KHR_animation_pointer", Support::ignored, "animations are not played"},
     {"KHR_draco_mesh_compression", Support::ignored, "the uncompressed fallback is read", true},
+    {"KHR_implicit_shapes", Support::full, ""},
     {"KHR_lights_punctual", Support::full, ""},
     {"KHR_materials_anisotropy", Support::ignored, "highlights are round"},
     {"KHR_materials_clearcoat", Support::ignored, "the coat is left out"},
@@ -40,6 +41,7 @@ constexpr auto k_known = std::to_array<KnownExtension>({
     {"KHR_texture_basisu", Support::partial, "only the PNG or JPEG fallback is read"},
     {"KHR_texture_transform", Support::full, ""},
     {"KHR_xmp_json_ld", Support::ignored, "the metadata are not kept"},
+    {"LUME_shape", Support::full, ""},
 });
 
 const KnownExtension* find_known(std::string_view name) {

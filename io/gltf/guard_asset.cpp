@@ -58,6 +58,7 @@ void check_document(const JsonView& root) {
   check_textures(root);
   check_meshes(root);
   check_nodes(root);
+  check_instancing(root);
 }
 
 }  // namespace lume::io::gltf

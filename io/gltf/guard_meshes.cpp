@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/gltf/component.h"
 #include "io/gltf/guards.h"
+#include "io/gltf/shape_table.h"
 
 #include <fmt/format.h>
 
@@ -20,6 +21,7 @@ struct Targets {
   };
   std::vector<Accessor> accessors;
   std::size_t materials = 0;
+  std::size_t shapes = 0;
 };
 
 Targets collect_targets(const JsonView& root) {
@@ -32,6 +34,7 @@ Targets collect_targets(const JsonView& root) {
          accessor.has("bufferView")});
   }
   targets.materials = root.items("materials").size();
+  targets.shapes = list_shapes(root).size();
   return targets;
 }
 
@@ -118,6 +121,7 @@ void check_primitive(const JsonView& primitive, const Targets& targets) {
     check_indices(*indices, targets);
   }
   static_cast<void>(primitive.index_of("material", targets.materials, "materials"));
+  static_cast<void>(find_binding(primitive, targets.shapes, targets.materials));
   if (const std::optional<JsonView> mode = primitive.find("mode"); mode && mode->integer() > 6) {
     mode->fail(fmt::format("is {}, expected a drawing mode from 0 to 6", mode->integer()));
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/gltf/guards.h"
+#include "io/gltf/shape_table.h"
 
 #include <fmt/format.h>
 
@@ -15,7 +16,9 @@ struct Counts {
       : nodes(root.items("nodes").size()),
         meshes(root.items("meshes").size()),
         cameras(root.items("cameras").size()),
-        skins(root.items("skins").size()) {
+        skins(root.items("skins").size()),
+        shapes(list_shapes(root).size()),
+        materials(root.items("materials").size()) {
     if (const std::optional<JsonView> extension = root.extension("KHR_lights_punctual")) {
       lights = extension->items("lights").size();
     }
@@ -24,6 +27,8 @@ struct Counts {
   std::size_t meshes;
   std::size_t cameras;
   std::size_t skins;
+  std::size_t shapes;
+  std::size_t materials;
   std::size_t lights = 0;
 };
 
@@ -56,6 +61,7 @@ void check_node(const JsonView& node, const Counts& counts) {
   static_cast<void>(node.index_of("mesh", counts.meshes, "meshes"));
   static_cast<void>(node.index_of("camera", counts.cameras, "cameras"));
   static_cast<void>(node.index_of("skin", counts.skins, "skins"));
+  static_cast<void>(find_binding(node, counts.shapes, counts.materials));
   if (const std::optional<JsonView> light = node.extension("KHR_lights_punctual")) {
     static_cast<void>(light->require("light").index(counts.lights, "lights"));
   }

@@ -18,6 +18,8 @@ void check_accessors(const JsonView& root);
 void check_meshes(const JsonView& root);
 /// Nodes and scenes: a forest, with matrices that are affine.
 void check_nodes(const JsonView& root);
+/// EXT_mesh_gpu_instancing: accessors of the right types and of equal counts. After the two above.
+void check_instancing(const JsonView& root);
 /// Samplers, images and textures.
 void check_textures(const JsonView& root);
 

@@ -77,9 +77,15 @@ std::optional<JsonView> JsonView::find(std::string_view key) const {
 JsonView JsonView::require(std::string_view key) const {
   std::optional<JsonView> member = find(key);
   if (!member) {
-    fail(fmt::format("has no \"{}\", which glTF requires", key));
+    fail(fmt::format("has no \"{}\", which is required", key));
   }
   return *std::move(member);
+}
+
+JsonView JsonView::find_or_empty(std::string_view key) const {
+  static const Json k_empty = Json::object();
+  const std::optional<JsonView> member = find(key);
+  return member ? *member : child(key, k_empty);
 }
 
 std::optional<JsonView> JsonView::extension(std::string_view name) const {
@@ -117,6 +123,14 @@ std::vector<JsonView> JsonView::items() const {
 std::vector<JsonView> JsonView::items(std::string_view key) const {
   const std::optional<JsonView> member = find(key);
   return member ? member->items() : std::vector<JsonView>{};
+}
+
+JsonView JsonView::item(std::string_view key, std::size_t index) const {
+  const JsonView array = require(key);
+  if (!array.value_->is_array() || index >= array.value_->size()) {
+    array.fail_type(fmt::format("an array of more than {} items", index));
+  }
+  return {(*array.value_)[index], fmt::format("{}/{}", array.pointer_, index), *file_};
 }
 
 const std::string& JsonView::text() const {

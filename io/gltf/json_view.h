@@ -45,6 +45,8 @@ class JsonView {
   [[nodiscard]] std::optional<JsonView> find(std::string_view key) const;
   [[nodiscard]] JsonView require(std::string_view key) const;
   [[nodiscard]] bool has(std::string_view key) const { return find(key).has_value(); }
+  /// An object without members if it is absent.
+  [[nodiscard]] JsonView find_or_empty(std::string_view key) const;
   /// extensions.NAME, if it is there.
   [[nodiscard]] std::optional<JsonView> extension(std::string_view name) const;
   [[nodiscard]] std::vector<std::string> keys() const;
@@ -52,6 +54,8 @@ class JsonView {
   // Arrays. The array under `key`, item by item; none if it is absent.
   [[nodiscard]] std::vector<JsonView> items() const;
   [[nodiscard]] std::vector<JsonView> items(std::string_view key) const;
+  /// One item of the array under `key`; it must exist.
+  [[nodiscard]] JsonView item(std::string_view key, std::size_t index) const;
 
   // Values.
   [[nodiscard]] const std::string& text() const;

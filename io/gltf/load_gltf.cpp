@@ -36,7 +36,7 @@ LoadedScene load_gltf(const std::filesystem::path& path, const LoadOptions& opti
   gltf::TextureTable textures(document);
   result.scene.materials = gltf::read_materials(root, textures, notes);
   const auto nodes = gltf::flatten(document, gltf::root_nodes(document, result.scene_index));
-  gltf::build_scene(document, nodes, result.scene, notes);
+  gltf::build_scene(document, nodes, options.tessellated, result.scene, notes);
   result.scene.textures = textures.textures();
   result.scene.images = textures.load_images(options.decode_images);
 

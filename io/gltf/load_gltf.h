@@ -35,6 +35,9 @@ struct LoadedScene {
 
 struct LoadOptions {
   std::optional<std::string> scene;  ///< name or number; absent: the file's default
+  /// Mesh primitives that are bound to analytic shapes are drawn as their triangles, and shapes
+  /// that nodes are bound to are left out.
+  bool tessellated = false;
   bool decode_images = true;  ///< off: images have their size but no texels (for `lume info`)
 };
 

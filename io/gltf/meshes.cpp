@@ -36,6 +36,10 @@ struct Source {
     return it == primitive.attributes.end() ? std::nullopt
                                             : std::optional(static_cast<std::size_t>(it->second));
   }
+  [[nodiscard]] std::optional<std::size_t> material() const {
+    return primitive.material < 0 ? std::nullopt
+                                  : std::optional(static_cast<std::size_t>(primitive.material));
+  }
   [[noreturn]] void fail(const std::string& member, const std::string& reason) const {
     throw Error(ErrorKind::scene, document.file, pointer + '/' + member, reason);
   }
@@ -157,12 +161,6 @@ void read_normals_and_tangents(const Source& source, Mesh& mesh, Notes& notes) {
   }
 }
 
-bool may_have_holes(const shading::Material& material, const Mesh& mesh) {
-  return material.alpha_mode == shading::AlphaMode::mask &&
-         (material.alpha < material.alpha_cutoff || material.base_color_texture ||
-          !mesh.colors.empty());
-}
-
 /// Why a primitive shows nothing; empty if it may show something.
 std::string reason_to_skip(const Source& source) {
   const auto mode = static_cast<Mode>(source.primitive.mode);
@@ -196,30 +194,44 @@ Mesh read_primitive(const Source& source, Notes& notes) {
   return mesh;
 }
 
+/// The triangles of a primitive, if it has any.
+std::optional<geometry::Geometry> read_triangle_surface(const Source& source,
+                                                        MaterialTable& materials, Notes& notes) {
+  if (const std::string reason = reason_to_skip(source); !reason.empty()) {
+    notes.add(source.subject, reason);
+    return std::nullopt;
+  }
+  Mesh mesh = read_primitive(source, notes);
+  if (mesh.triangles.empty()) {
+    return std::nullopt;
+  }
+  const std::uint32_t material = materials.number(source.material());
+  const bool has_holes = materials.may_have_holes(material, !mesh.colors.empty());
+  return geometry::Geometry{std::move(mesh), material, has_holes};
+}
+
 }  // namespace
 
 geometry::Object read_mesh(const Document& document, std::size_t mesh_index,
-                           std::span<const shading::Material> materials, Notes& notes) {
+                           const ShapeTable* shapes, MaterialTable& materials, Notes& notes) {
   const tinygltf::Mesh& gltf_mesh = document.model.meshes[mesh_index];
+  const JsonView json = document.root().item("meshes", mesh_index);
   geometry::Object object;
   object.name = gltf_mesh.name.empty() ? fmt::format("mesh {}", mesh_index) : gltf_mesh.name;
   for (std::size_t i = 0; i < gltf_mesh.primitives.size(); ++i) {
-    const Source source{document, gltf_mesh.primitives[i],
-                        fmt::format("/meshes/{}/primitives/{}", mesh_index, i),
+    const JsonView primitive = json.item("primitives", i);
+    const Source source{document, gltf_mesh.primitives[i], primitive.pointer(),
                         fmt::format("mesh {} primitive {}", mesh_index, i)};
-    if (const std::string reason = reason_to_skip(source); !reason.empty()) {
-      notes.add(source.subject, reason);
-      continue;
+    if (shapes != nullptr) {
+      if (auto binding = find_binding(primitive, shapes->size(), materials.gltf_size())) {
+        binding->material = source.material();
+        object.geometries.push_back(shapes->geometry(*binding, materials));
+        continue;
+      }
     }
-    Mesh mesh = read_primitive(source, notes);
-    if (mesh.triangles.empty()) {
-      continue;
+    if (auto surface = read_triangle_surface(source, materials, notes)) {
+      object.geometries.push_back(*std::move(surface));
     }
-    const int material = source.primitive.material;
-    mesh.material = static_cast<std::uint32_t>(material < 0 ? materials.size()
-                                                            : static_cast<std::size_t>(material));
-    mesh.has_holes = material >= 0 && may_have_holes(materials[mesh.material], mesh);
-    object.geometries.push_back(std::move(mesh));
   }
   return object;
 }

@@ -37,6 +37,13 @@ std::optional<std::size_t> parse_number(const std::string& text) {
 
 }  // namespace
 
+DMat4 compose(const DVec3& translation, const DMat3& rotation, const DVec3& scale) {
+  return {{rotation[0] * scale.x, 0.0},
+          {rotation[1] * scale.y, 0.0},
+          {rotation[2] * scale.z, 0.0},
+          {translation, 1.0}};
+}
+
 DMat4 local_matrix(const tinygltf::Node& node) {
   if (node.matrix.size() == 16) {
     DMat4 matrix;
@@ -53,12 +60,7 @@ DMat4 local_matrix(const tinygltf::Node& node) {
     const std::vector<double>& q = node.rotation;  // x, y, z, w
     rotation = glm::mat3_cast(glm::normalize(glm::dquat(q[3], q[0], q[1], q[2])));
   }
-  const DVec3 scale = to_vector(node.scale, 1.0);
-  const DVec3 translation = to_vector(node.translation, 0.0);
-  return {{rotation[0] * scale.x, 0.0},
-          {rotation[1] * scale.y, 0.0},
-          {rotation[2] * scale.z, 0.0},
-          {translation, 1.0}};
+  return compose(to_vector(node.translation, 0.0), rotation, to_vector(node.scale, 1.0));
 }
 
 std::vector<PlacedNode> flatten(const Document& document, const std::vector<int>& roots) {

@@ -21,6 +21,11 @@ struct PlacedNode {
 [[nodiscard]] std::vector<PlacedNode> flatten(const Document& document,
                                               const std::vector<int>& roots);
 
+/// Translation * rotation * scale.
+[[nodiscard]] geometry::DMat4 compose(const geometry::DVec3& translation,
+                                      const geometry::DMat3& rotation,
+                                      const geometry::DVec3& scale);
+
 /// The node's own matrix, in double.
 [[nodiscard]] geometry::DMat4 local_matrix(const tinygltf::Node& node);
 

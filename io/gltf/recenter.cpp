@@ -19,8 +19,10 @@ constexpr float k_far = 8.0f;
 
 Vec3 recenter(geometry::Object& object) {
   const Bounds bounds = object.bounds();
-  if (bounds.is_empty()) {
-    return Vec3(0.0f);
+  const bool has_shapes = std::any_of(object.geometries.begin(), object.geometries.end(),
+                                      [](const auto& each) { return each.shape() != nullptr; });
+  if (bounds.is_empty() || has_shapes) {
+    return Vec3(0.0f);  // shapes stand around their own origin
   }
   const Vec3 center = bounds.center();
   const float radius = bounds.radius();
@@ -33,8 +35,8 @@ Vec3 recenter(geometry::Object& object) {
     }
   }
   if (shift != Vec3(0.0f)) {
-    for (geometry::Mesh& mesh : object.geometries) {
-      for (Vec3& position : mesh.positions) {
+    for (geometry::Geometry& geometry : object.geometries) {
+      for (Vec3& position : std::get<geometry::Mesh>(geometry.surface).positions) {
         position -= shift;
       }
     }
@@ -42,8 +44,8 @@ Vec3 recenter(geometry::Object& object) {
   return shift;
 }
 
-DBounds transformed(const Bounds& bounds, const geometry::DMat4& matrix) {
-  DBounds result;
+geometry::DBounds transformed(const Bounds& bounds, const geometry::DMat4& matrix) {
+  geometry::DBounds result;
   for (int corner = 0; corner < 8 && !bounds.is_empty(); ++corner) {
     result.add(
         DVec3(matrix * glm::dvec4((corner & 1) != 0 ? bounds.upper.x : bounds.lower.x,
@@ -53,7 +55,7 @@ DBounds transformed(const Bounds& bounds, const geometry::DMat4& matrix) {
   return result;
 }
 
-DVec3 choose_origin(const DBounds& bounds) {
+DVec3 choose_origin(const geometry::DBounds& bounds) {
   if (bounds.is_empty()) {
     return DVec3(0.0);
   }

@@ -2,12 +2,12 @@
 #include "io/gltf/scene_builder.h"
 
 #include "io/gltf/cameras.h"
-#include "io/gltf/meshes.h"
+#include "io/gltf/instancing.h"
+#include "io/gltf/object_table.h"
 #include "io/gltf/recenter.h"
 
 #include <fmt/format.h>
 
-#include <map>
 #include <optional>
 
 namespace lume::io::gltf {
@@ -25,14 +25,7 @@ std::string name_of(const tinygltf::Node& node, std::size_t index) {
   return node.name.empty() ? node_label(index) : node.name;
 }
 
-/// A mesh of the file as it stands in the scene.
-struct PlacedObject {
-  std::uint32_t object = 0;
-  DVec3 shift{0.0};  ///< what recentring took from its positions
-  geometry::Bounds bounds;
-};
-
-/// A node's mesh before the scene's origin is known.
+/// Something that a node shows, before the scene's origin is known.
 struct Placement {
   std::size_t node = 0;
   std::uint32_t object = 0;
@@ -41,23 +34,27 @@ struct Placement {
 
 class Builder {
  public:
-  Builder(const Document& document, shading::Scene& scene, Notes& notes)
-      : document_(document), scene_(scene), notes_(notes) {}
+  Builder(const Document& document, bool tessellated, shading::Scene& scene, Notes& notes)
+      : document_(document),
+        json_nodes_(document.root().items("nodes")),
+        tessellated_(tessellated),
+        scene_(scene),
+        notes_(notes),
+        objects_(document, tessellated, scene, notes) {}
 
-  void place_meshes(const std::vector<PlacedNode>& nodes) {
-    const std::size_t materials = scene_.materials.size();
+  void place_objects(const std::vector<PlacedNode>& nodes) {
     for (const PlacedNode& placed : nodes) {
-      place_mesh(placed, materials);
+      place_node(placed);
     }
     scene_.origin = choose_origin(bounds_);
+    scene_.world.instances.reserve(placements_.size());
     for (const Placement& placement : placements_) {
-      geometry::Instance instance;
+      geometry::Instance& instance = scene_.world.instances.emplace_back();
       instance.name = name_of(document_.model.nodes[placement.node], placement.node);
       instance.object = placement.object;
       instance.transform = geometry::Transform(relative(placement.matrix));
-      scene_.world.instances.push_back(std::move(instance));
     }
-    add_default_material(materials);
+    placements_ = {};
   }
 
   void place_cameras(const std::vector<PlacedNode>& nodes) {
@@ -85,9 +82,8 @@ class Builder {
     if (lights.empty()) {
       return;
     }
-    const std::vector<JsonView> json = document_.root().items("nodes");
     for (const PlacedNode& placed : nodes) {
-      const auto extension = json[placed.node].extension("KHR_lights_punctual");
+      const auto extension = json_nodes_[placed.node].extension("KHR_lights_punctual");
       if (!extension) {
         continue;
       }
@@ -111,78 +107,98 @@ class Builder {
     return world;
   }
 
-  void place_mesh(const PlacedNode& placed, std::size_t materials) {
+  void place_node(const PlacedNode& placed) {
     const tinygltf::Node& node = document_.model.nodes[placed.node];
-    if (node.mesh < 0) {
-      return;
-    }
+    const JsonView& json = json_nodes_[placed.node];
     const std::string label = node_label(placed.node);
+    std::optional<ShapeBinding> binding = objects_.binding(json);
+    if (binding && tessellated_) {
+      notes_.add(label, "its shape has no triangles and is left out");
+      binding.reset();
+    }
+    if (node.mesh < 0 && !binding) {
+      return;
+    }
     if (!geometry::Transform::is_invertible(placed.world)) {
-      notes_.add(label, "its matrix flattens space or is not finite; its mesh is not drawn");
+      notes_.add(label, "its matrix flattens space or is not finite; it is not drawn");
       return;
     }
-    const std::optional<PlacedObject> object =
-        object_of(static_cast<std::size_t>(node.mesh), materials);
-    if (!object) {
-      return;
+    const InstancePlaces places(document_, json);
+    if (node.mesh >= 0) {
+      if (const auto object = objects_.mesh(static_cast<std::size_t>(node.mesh))) {
+        place_object(placed, *object, places);
+      }
     }
-    DMat4 matrix = placed.world;
-    matrix[3] = matrix * glm::dvec4(object->shift, 1.0);
-    const DBounds bounds = transformed(object->bounds, matrix);
-    if (!(glm::all(glm::greaterThan(bounds.lower, DVec3(-k_farthest))) &&
-          glm::all(glm::lessThan(bounds.upper, DVec3(k_farthest))))) {
-      notes_.add(label, fmt::format("its mesh reaches beyond {:g} m and is not drawn", k_farthest));
-      return;
+    if (binding) {
+      place_object(placed, objects_.shape(*binding), places);
     }
-    bounds_.add(bounds.lower);
-    bounds_.add(bounds.upper);
-    placements_.push_back({placed.node, object->object, matrix});
     if (node.skin >= 0) {
       notes_.add(label, "its skin is not applied yet; the mesh is drawn as it was modelled");
     }
   }
 
-  /// Reads the mesh when it is asked for first. Nothing if it has no triangles.
-  std::optional<PlacedObject> object_of(std::size_t mesh, std::size_t materials) {
-    const auto [it, is_new] = objects_.try_emplace(mesh);
-    if (is_new) {
-      geometry::Object object =
-          read_mesh(document_, mesh, std::span(scene_.materials).first(materials), notes_);
-      if (!object.geometries.empty()) {
-        const DVec3 shift(recenter(object));
-        it->second = PlacedObject{static_cast<std::uint32_t>(scene_.world.objects.size()), shift,
-                                  object.bounds()};
-        scene_.world.objects.push_back(std::move(object));
+  void place_object(const PlacedNode& placed, const SceneObject& object,
+                    const InstancePlaces& places) {
+    bool any_flat = false;
+    bool any_beyond = false;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      DMat4 matrix = placed.world * places.matrix(i);
+      if (!geometry::Transform::is_invertible(matrix)) {
+        any_flat = true;
+        continue;
       }
+      matrix[3] = matrix * glm::dvec4(object.shift, 1.0);
+      if (!add_bounds(object.bounds, matrix)) {
+        any_beyond = true;
+        continue;
+      }
+      placements_.push_back({placed.node, object.number, matrix});
     }
-    return it->second;
+    if (any_flat) {
+      notes_.add(node_label(placed.node),
+                 "instances whose matrix flattens space or is not finite are not drawn");
+    }
+    if (any_beyond) {
+      notes_.add(node_label(placed.node),
+                 fmt::format("what reaches beyond {:g} m is not drawn", k_farthest));
+    }
   }
 
-  void add_default_material(std::size_t number) {
-    for (const geometry::Object& object : scene_.world.objects) {
-      for (const geometry::Mesh& mesh : object.geometries) {
-        if (mesh.material == number) {
-          scene_.materials.emplace_back().name = "default";
-          return;
-        }
-      }
+  /// False if the object would lie too far away. One that has no end has no bounds, and does not
+  /// move the scene's origin.
+  bool add_bounds(const geometry::Bounds& object, const DMat4& matrix) {
+    geometry::DBounds bounds = transformed(object, matrix);
+    const bool is_endless = bounds.is_empty();
+    if (is_endless) {
+      bounds.add(DVec3(matrix[3]));
     }
+    if (!(glm::all(glm::greaterThan(bounds.lower, DVec3(-k_farthest))) &&
+          glm::all(glm::lessThan(bounds.upper, DVec3(k_farthest))))) {
+      return false;
+    }
+    if (!is_endless) {
+      bounds_.add(bounds.lower);
+      bounds_.add(bounds.upper);
+    }
+    return true;
   }
 
   const Document& document_;
+  std::vector<JsonView> json_nodes_;
+  bool tessellated_;
   shading::Scene& scene_;
   Notes& notes_;
-  std::map<std::size_t, std::optional<PlacedObject>> objects_;  ///< by glTF mesh
+  ObjectTable objects_;
   std::vector<Placement> placements_;
-  DBounds bounds_;
+  geometry::DBounds bounds_;
 };
 
 }  // namespace
 
-void build_scene(const Document& document, const std::vector<PlacedNode>& nodes,
+void build_scene(const Document& document, const std::vector<PlacedNode>& nodes, bool tessellated,
                  shading::Scene& scene, Notes& notes) {
-  Builder builder(document, scene, notes);
-  builder.place_meshes(nodes);
+  Builder builder(document, tessellated, scene, notes);
+  builder.place_objects(nodes);
   builder.place_cameras(nodes);
   builder.place_lights(nodes);
 }

@@ -22,13 +22,20 @@ double degrees(float radians) { return static_cast<double>(radians) * 180.0 / st
 
 Json counts_to_json(const io::LoadedScene& loaded, const SceneCounts& counts) {
   const shading::Scene& scene = loaded.scene;
-  return {
-      {"scenes", loaded.scene_names.size()},  {"instances", scene.world.instances.size()},
-      {"meshes", scene.world.objects.size()}, {"primitives", counts.primitives},
-      {"triangles", counts.triangles},        {"triangles_instanced", counts.triangles_instanced},
-      {"vertices", counts.vertices},          {"materials", scene.materials.size()},
-      {"textures", scene.textures.size()},    {"images", scene.images.size()},
-      {"cameras", scene.cameras.size()},      {"lights", scene.lights.size()}};
+  return {{"scenes", loaded.scene_names.size()},
+          {"instances", scene.world.instances.size()},
+          {"meshes", scene.world.objects.size()},
+          {"primitives", counts.primitives},
+          {"triangles", counts.triangles},
+          {"triangles_instanced", counts.triangles_instanced},
+          {"shapes", counts.shapes},
+          {"shapes_instanced", counts.shapes_instanced},
+          {"vertices", counts.vertices},
+          {"materials", scene.materials.size()},
+          {"textures", scene.textures.size()},
+          {"images", scene.images.size()},
+          {"cameras", scene.cameras.size()},
+          {"lights", scene.lights.size()}};
 }
 
 Json bounds_to_json(const shading::Scene& scene) {

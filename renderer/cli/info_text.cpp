@@ -86,6 +86,10 @@ std::string summary(const io::LoadedScene& loaded, const SceneCounts& counts) {
       line("geometry",
            fmt::format("{} triangles ({} as placed), {} vertices", format_count(counts.triangles),
                        format_count(counts.triangles_instanced), format_count(counts.vertices)));
+  if (counts.shapes > 0) {
+    text += line("", fmt::format("{} analytic shapes ({} as placed)", format_count(counts.shapes),
+                                 format_count(counts.shapes_instanced)));
+  }
   text +=
       line("", fmt::format("{} meshes of {} primitives, {} instances", scene.world.objects.size(),
                            counts.primitives, scene.world.instances.size()));

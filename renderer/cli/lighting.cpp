@@ -23,9 +23,11 @@ bool is_lamp(const shading::Material& material) {
 
 bool has_lamp(const shading::Scene& scene, const geometry::Object& object) {
   return std::any_of(object.geometries.begin(), object.geometries.end(),
-                     [&](const geometry::Mesh& mesh) {
-                       return !mesh.triangles.empty() && mesh.material < scene.materials.size() &&
-                              is_lamp(scene.materials[mesh.material]);
+                     [&](const geometry::Geometry& geometry) {
+                       const geometry::Mesh* mesh = geometry.mesh();  // shapes light nothing yet
+                       return mesh != nullptr && !mesh->triangles.empty() &&
+                              geometry.material < scene.materials.size() &&
+                              is_lamp(scene.materials[geometry.material]);
                      });
 }
 

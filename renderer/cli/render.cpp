@@ -66,6 +66,7 @@ void log_notes(const std::vector<std::string>& notes, const std::string& scene_f
 io::LoadedScene load_scene(const RenderOptions& options) {
   io::LoadOptions load;
   load.scene = options.scene;
+  load.tessellated = options.tessellated;
   io::LoadedScene loaded = io::load_gltf(options.scene_file, load);
   log_notes(loaded.notes, options.scene_file);
   return loaded;
@@ -188,8 +189,8 @@ ExitCode run_render(const RenderOptions& options) {
     return ExitCode::interrupted;
   }
 
-  if (loaded.scene.world.bounds().is_empty()) {
-    spdlog::warn("{} has no triangles to show; only the backdrop is rendered",
+  if (loaded.scene.world.instances.empty()) {
+    spdlog::warn("{} has no surfaces to show; only the backdrop is rendered",
                  printable(options.scene_file));
   }
   log_plan(options, viewpoint, light, limit.threads());

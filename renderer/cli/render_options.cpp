@@ -70,6 +70,9 @@ void add_input_options(CLI::App& app, RenderOptions& options) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   app.add_option("--scene", options.scene, "Which scene of the file (the file's default)")
       ->type_name("NAME|N");
+  app.add_flag("--tessellated", options.tessellated,
+               "Draw the triangles that stand in for analytic shapes in other viewers, instead "
+               "of the shapes");
 }
 
 void add_camera_options(CLI::App& app, RenderOptions& options) {

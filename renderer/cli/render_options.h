@@ -24,6 +24,7 @@ struct RenderOptions {
   std::vector<std::string> outputs;  ///< as typed: #### stands for the frame's number
 
   std::optional<std::string> scene;
+  bool tessellated = false;  ///< triangles instead of analytic shapes
   std::optional<std::string> camera;
   std::optional<geometry::DVec3> orbit;  ///< theta, phi, radius
   std::optional<geometry::DVec3> target;

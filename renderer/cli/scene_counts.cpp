@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace lume::cli {
 namespace {
 
@@ -11,8 +13,16 @@ constexpr std::uint64_t k_accelerator_bytes_per_triangle = 90;
 
 std::uint64_t triangles_of(const geometry::Object& object) {
   std::uint64_t count = 0;
-  for (const geometry::Mesh& mesh : object.geometries) count += mesh.triangles.size();
+  for (const geometry::Geometry& geometry : object.geometries) {
+    if (const geometry::Mesh* mesh = geometry.mesh()) count += mesh->triangles.size();
+  }
   return count;
+}
+
+std::uint64_t shapes_of(const geometry::Object& object) {
+  return static_cast<std::uint64_t>(
+      std::count_if(object.geometries.begin(), object.geometries.end(),
+                    [](const geometry::Geometry& each) { return each.shape() != nullptr; }));
 }
 
 std::string alpha_feature(const shading::Material& material) {
@@ -29,13 +39,18 @@ SceneCounts count_scene(const shading::Scene& scene) {
   for (const geometry::Object& object : scene.world.objects) {
     counts.primitives += object.geometries.size();
     counts.triangles += triangles_of(object);
-    for (const geometry::Mesh& mesh : object.geometries) {
-      counts.vertices += mesh.positions.size();
-      counts.mesh_bytes += mesh.memory_bytes();
+    counts.shapes += shapes_of(object);
+    for (const geometry::Geometry& geometry : object.geometries) {
+      if (const geometry::Mesh* mesh = geometry.mesh()) {
+        counts.vertices += mesh->positions.size();
+        counts.mesh_bytes += mesh->memory_bytes();
+      }
     }
   }
   for (const geometry::Instance& instance : scene.world.instances) {
-    counts.triangles_instanced += triangles_of(scene.world.objects[instance.object]);
+    const geometry::Object& object = scene.world.objects[instance.object];
+    counts.triangles_instanced += triangles_of(object);
+    counts.shapes_instanced += shapes_of(object);
   }
   for (const shading::Image& image : scene.images) counts.image_bytes += decoded_bytes(image);
   counts.accelerator_bytes = counts.triangles * k_accelerator_bytes_per_triangle;

@@ -19,6 +19,8 @@ struct SceneCounts {
   std::uint64_t triangles = 0;            ///< each mesh counted once
   std::uint64_t triangles_instanced = 0;  ///< as often as it is placed
   std::uint64_t vertices = 0;
+  std::uint64_t shapes = 0;            ///< analytic surfaces, each counted once
+  std::uint64_t shapes_instanced = 0;  ///< as often as they are placed
 
   std::uint64_t mesh_bytes = 0;
   std::uint64_t image_bytes = 0;        ///< decoded

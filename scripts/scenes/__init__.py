@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """All scenes by name. Each value is a function that builds one."""
 
-from . import afternoon, light, structure, surfaces
+from . import (afternoon, light, museum, sphereflake, structure, surfaces, teapot, whitted)
 
 SCENES = {
     "afternoon": afternoon.build,
@@ -12,6 +12,17 @@ SCENES = {
     "far_away": structure.far_away,
     "glass": light.glass,
     "materials": surfaces.materials,
+    "museum": museum.build,
     "normal_maps": surfaces.normal_maps,
+    "sphereflake": sphereflake.build,
+    "sphereflake_66430": sphereflake.build_66430,
+    "teapot": teapot.build,
     "textures": surfaces.textures,
+    "whitted": whitted.build,
+}
+
+# Arguments that a scene's function takes, all of them whole numbers with a least and a greatest.
+OPTIONS = {
+    "museum": {"fineness": (8, 1024)},
+    "sphereflake": {"level": (0, 7)},
 }

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Writes glTF 2.0 files that need no other file: data URIs hold buffer and images."""
+"""Writes glTF 2.0 files that need no other file: data URIs hold buffer and images; in a .glb file
+the buffer is its BIN chunk."""
 
 import base64
 import json
@@ -41,9 +42,11 @@ def turn(axis, degrees):
 
 
 class Gltf:
-    """A file in the making. Methods that add something return its index."""
+    """A file in the making. Methods that add something return its index. `file_name` is what to
+    save it as, where that is not the scene's name and .gltf."""
 
-    def __init__(self, generator="Lume scripts/make-scenes"):
+    def __init__(self, generator="Lume scripts/make-scenes", file_name=None):
+        self.file_name = file_name
         self.json = {
             "asset": {"version": "2.0", "generator": generator,
                       "copyright": "The Lume authors, Apache-2.0"},
@@ -141,7 +144,8 @@ class Gltf:
         if mesh.colors:
             attributes["COLOR_0"] = self.accessor(mesh.colors, UBYTE, normalized=True)
         indices = [i for triangle in mesh.triangles for i in triangle]
-        return {"attributes": attributes, "indices": self.accessor(indices, USHORT),
+        width = USHORT if len(mesh.positions) <= 65535 else UINT
+        return {"attributes": attributes, "indices": self.accessor(indices, width),
                 "material": material}
 
     # Things in the scene
@@ -193,18 +197,65 @@ class Gltf:
         return self.node(name, parent, translation=list(eye), rotation=look_at(eye, target),
                          extensions={"KHR_lights_punctual": {"light": len(lights) - 1}})
 
+    # Analytic surfaces
+
+    def shape(self, kind, **parameters):
+        """An entry of KHR_implicit_shapes; docs/shapes.md names kinds and parameters."""
+        self.used |= {"KHR_implicit_shapes", "LUME_shape"}
+        shapes = self.json.setdefault("extensions", {}).setdefault(
+            "KHR_implicit_shapes", {"shapes": []})["shapes"]
+        shapes.append({"type": kind, kind: parameters})
+        return len(shapes) - 1
+
+    def place_shape(self, name, shape, material, parent=None, **properties):
+        """A node that is a shape. Viewers that do not know LUME_shape show nothing there."""
+        return self.node(name, parent, extensions={"LUME_shape": {
+            "shape": shape, "material": material}}, **properties)
+
+    @staticmethod
+    def bound(primitive, shape):
+        """The primitive as a shape; its triangles are for viewers that do not know LUME_shape."""
+        return dict(primitive, extensions={"LUME_shape": {"shape": shape}})
+
+    def place_instances(self, name, mesh, translations, scales):
+        """One node that shows a mesh once for each translation and scale."""
+        self.required.add("EXT_mesh_gpu_instancing")
+        attributes = {"TRANSLATION": self.accessor(translations, FLOAT),
+                      "SCALE": self.accessor([(s, s, s) for s in scales], FLOAT)}
+        return self.node(name, mesh=mesh, extensions={
+            "EXT_mesh_gpu_instancing": {"attributes": attributes}})
+
+    # The file
+
     def save(self, path):
+        """Returns the number of bytes."""
+        self.data += bytes(-len(self.data) % 4)
+        binary = path.suffix == ".glb"
         if self.data:
-            uri = "data:application/octet-stream;base64," + base64.b64encode(self.data).decode()
-            self.json["buffers"] = [{"byteLength": len(self.data), "uri": uri}]
+            buffer = {"byteLength": len(self.data)}
+            if not binary:
+                buffer["uri"] = ("data:application/octet-stream;base64," +
+                                 base64.b64encode(self.data).decode())
+            self.json["buffers"] = [buffer]
         self.used |= self.required
         if self.used:
             self.json["extensionsUsed"] = sorted(self.used)
         if self.required:
             self.json["extensionsRequired"] = sorted(self.required)
+        if binary:
+            return path.write_bytes(_glb(self.json, self.data))
         text = json.dumps(_rounded(self.json), indent=0, separators=(",", ":")) + "\n"
         path.write_text(text, encoding="utf-8", newline="\n")
         return len(text)
+
+
+def _glb(document, data):
+    """The binary form (glTF 2.0, "GLB File Format Specification"): a header and two chunks."""
+    text = json.dumps(_rounded(document), separators=(",", ":")).encode()
+    text += b" " * (-len(text) % 4)
+    chunks = struct.pack("<I4s", len(text), b"JSON") + text
+    chunks += struct.pack("<I4s", len(data), b"BIN\0") + bytes(data)
+    return struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks
 
 
 def _rounded(value):

@@ -33,6 +33,11 @@ def paint(width, height, color_at):
             for y in range(height)]
 
 
+def srgb(color):
+    """A linear colour as it is stored (IEC 61966-2-1)."""
+    return tuple(12.92 * c if c <= 0.0031308 else 1.055 * c ** (1 / 2.4) - 0.055 for c in color)
+
+
 # Noise
 
 

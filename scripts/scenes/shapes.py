@@ -23,6 +23,16 @@ class Mesh:
         if dot(normal, normal) > 1e-24:
             self.triangles.append((a, b, c))
 
+    def add_sheet(self, point_at, columns, rows):
+        """The surface point_at(u, v) -> (position, normal, texture coordinate) for u and v from 0
+        to 1. From the front u goes to the right and v down."""
+        first = len(self.positions)
+        for j in range(rows + 1):
+            for i in range(columns + 1):
+                self.add_vertex(*point_at(i / columns, j / rows))
+        _add_grid(self, rows, columns, first, downwards=True)
+        return self
+
     def append(self, other):
         offset = len(self.positions)
         self.positions += other.positions
@@ -85,12 +95,14 @@ def curve(points, steps):
     return [*result, points[-1]]
 
 
-def _add_grid(mesh, rows, columns, first):
-    """Two triangles for each cell of (rows + 1) * (columns + 1) vertices, rows upwards."""
+def _add_grid(mesh, rows, columns, first, downwards=False):
+    """Two triangles for each cell of (rows + 1) * (columns + 1) vertices, rows upwards or not."""
     for j in range(rows):
         for i in range(columns):
             a = first + j * (columns + 1) + i
             b, c, d = a + 1, a + columns + 2, a + columns + 1
+            if downwards:
+                b, d = d, b
             mesh.add_triangle(a, b, c)
             mesh.add_triangle(a, c, d)
 

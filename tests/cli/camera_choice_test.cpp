@@ -24,7 +24,7 @@ shading::Scene make_scene() {
   mesh.positions = {{0, 0, 0}, {2, 0, 0}, {0, 2, 2}};
   mesh.triangles = {{0, 1, 2}};
   scene.world.objects.resize(1);
-  scene.world.objects[0].geometries.push_back(mesh);
+  scene.world.objects[0].geometries.push_back({mesh});
   scene.world.instances.resize(1);
   scene.materials.resize(1);
   scene.cameras.resize(2);
@@ -109,7 +109,7 @@ TEST(CameraChoice, FieldOfView_IsForPerspectiveOnly) {
   const shading::Scene scene = make_scene();
   RenderOptions options;
   options.fov = 90.0f;
-  EXPECT_NEAR(choose_camera(scene, options, &scene.cameras[0], 1.0f).camera.vertical_fov,
+  EXPECT_NEAR(choose_camera(scene, options, scene.cameras.data(), 1.0f).camera.vertical_fov,
               std::numbers::pi / 2.0, 1e-6);
   EXPECT_THROW((void)choose_camera(scene, options, &scene.cameras[1], 1.0f), UsageError);
 }

@@ -13,7 +13,7 @@ shading::Scene make_scene(const shading::Material& material) {
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   mesh.triangles = {{0, 1, 2}};
   scene.world.objects.resize(1);
-  scene.world.objects[0].geometries.push_back(mesh);
+  scene.world.objects[0].geometries.push_back({mesh});
   scene.world.instances.resize(1);
   scene.materials = {material};
   return scene;

@@ -11,6 +11,7 @@ namespace {
 
 TEST(UnknownName, ManyNames_ListIsCutOff) {
   std::vector<std::string> names;
+  names.reserve(100);
   for (int i = 0; i < 100; ++i) names.push_back("camera " + std::to_string(i) + "\x1b[31m");
   const std::string message = unknown_name("camera", "front\n", names);
   EXPECT_EQ(message.find_first_of("\n\x1b"), std::string::npos) << message;

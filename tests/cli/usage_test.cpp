@@ -84,8 +84,7 @@ TEST(Usage, FilesThatCannotBeUsed_AreExitFour) {
 
 TEST(Usage, BrokenScene_IsExitThree) {
   const tests::TemporaryFolder folder;
-  test::write_bytes(folder / "a.gltf",
-                    "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[7]}]}");
+  test::write_bytes(folder / "a.gltf", R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[7]}]})");
   expect_error(folder, {"render", "a.gltf", "-o", "a.png"}, 3, "/scenes/0/nodes/0");
   expect_error(folder, {"info", "a.gltf"}, 3, "/scenes/0/nodes/0");
 }

@@ -24,8 +24,8 @@ World random_world(Random& random) {
   World world;
   for (int object = 0; object < 4; ++object) {
     world.objects.push_back({"",
-                             {test::triangle_soup(random, 20, 1.0f, 0.5f),
-                              test::triangle_soup(random, 30, 1.0f, 0.5f)}});
+                             {{test::triangle_soup(random, 20, 1.0f, 0.5f)},
+                              {test::triangle_soup(random, 30, 1.0f, 0.5f)}}});
   }
   for (std::uint32_t i = 0; i < 12; ++i) {
     world.instances.push_back({"", i % 4, Transform(test::random_transform(random, 5.0f))});
@@ -45,7 +45,7 @@ Ray random_ray(Random& random) {
 bool is_marginal(const World& world, const Ray& ray, const std::optional<Hit>& hit) {
   if (!hit) return false;
   constexpr double k_margin = 1e-5;
-  const Crossing crossing = refine(world, ray, *hit);
+  const Crossing crossing = refine(world, ray, *hit, nullptr);
   const double w = 1.0 - crossing.u - crossing.v;
   return std::min({crossing.u, crossing.v, w}) < k_margin ||
          std::abs(crossing.t - static_cast<double>(ray.t_max)) < k_margin;
@@ -67,9 +67,9 @@ int compare_with_brute_force(Random& random, const World& world, const HoleTest*
     if (hit) ++hits;
     if (hit == expected && occluded == expected.has_value()) continue;
     ++disagreements;
-    const bool same_place =
-        hit && expected &&
-        std::abs(refine(world, ray, *hit).t - refine(world, ray, *expected).t) < 1e-5;
+    const bool same_place = hit && expected &&
+                            std::abs(refine(world, ray, *hit, nullptr).t -
+                                     refine(world, ray, *expected, nullptr).t) < 1e-5;
     EXPECT_TRUE(same_place || is_marginal(world, ray, hit) || is_marginal(world, ray, expected))
         << "ray " << i;
   }
@@ -143,7 +143,7 @@ TEST(Accelerators, RaysThatAreNotFinite_MeetNothing) {
 TEST(Accelerators, EmptyWorldsAndMeshes_MeetNothing) {
   World empty;
   World hollow;
-  hollow.objects.push_back({"", {Mesh{}}});
+  hollow.objects.push_back({"", {{Mesh{}}}});
   hollow.objects.push_back({"", {}});
   hollow.instances.resize(2);
   hollow.instances[1].object = 1;
@@ -179,6 +179,7 @@ TEST(Embree, CoplanarTwins_AreTheSameHitForAnyNumberOfThreads) {
   twins.triangles.insert(twins.triangles.end(), once.begin(), once.end());
   test::add_instance(world, twins);
   std::vector<Ray> rays;
+  rays.reserve(3000);
   for (int i = 0; i < 3000; ++i) rays.push_back(random_ray(random));
 
   std::vector<std::vector<std::optional<Hit>>> hits;
@@ -198,7 +199,7 @@ TEST(Embree, ClosedMesh_LeaksLessThanOneRayInThousand) {
   World world;
   test::add_instance(world, test::sphere_mesh(24), test::random_transform(random));
   const auto embree = make_accelerator("embree", world, nullptr);
-  const Mesh& mesh = world.objects[0].geometries[0];
+  const Mesh& mesh = test::mesh_of(world);
   const Transform& transform = world.instances[0].transform;
   int leaks = 0;
   constexpr int k_rays = 20000;

@@ -17,7 +17,7 @@ using test::Random;
 SurfacePoint meet(const World& world, const Accelerator& accelerator, const Ray& ray) {
   const auto hit = accelerator.closest_hit(ray);
   EXPECT_TRUE(hit.has_value());
-  return surface_point(world, ray, *hit, refine(world, ray, *hit));
+  return surface_point(world, ray, *hit, refine(world, ray, *hit, nullptr));
 }
 
 TEST(SurfacePoint, SphereUnderRandomTransforms_HasTheQuadricsPointAndNormal) {
@@ -76,7 +76,8 @@ TEST(SurfacePoint, RaysThatLeave_NeverMeetTheirOwnFlatSurface) {
       const Ray aimed{.origin = ray.origin, .direction = target - ray.origin};
       const auto hit = accelerator->closest_hit(aimed);
       if (!hit) continue;  // the aim is rounded: it may pass beside the rim
-      const SurfacePoint point = surface_point(world, aimed, *hit, refine(world, aimed, *hit));
+      const SurfacePoint point =
+          surface_point(world, aimed, *hit, refine(world, aimed, *hit, nullptr));
       ASSERT_GT(point.offset, 0.0f);
       ASSERT_LT(point.offset, 1e-4f * reach + 1e-4f);
       const Ray away = leave(point, random.direction());
@@ -138,7 +139,7 @@ TEST(SurfacePoint, Attributes_AreInterpolatedAndDefault) {
   EXPECT_NEAR(point.texcoord(0).y, 0.625f, 1e-6f);
   EXPECT_EQ(point.texcoord(7), Vec2(0.0f));
   EXPECT_NEAR(point.color().x + point.color().y + point.color().z, 1.0f, 1e-6f);
-  world.objects[0].geometries[0].colors.clear();
+  test::mesh_of(world).colors.clear();
   EXPECT_EQ(point.color(), Vec4(1.0f));
 }
 
@@ -159,7 +160,7 @@ TEST(TangentFrame, TextureCoordinates_PointRightAndUpInTheImage) {
     expect_frame(tangent_frame(world, point, 0), Vec3(static_cast<float>(mirror), 0, 0),
                  Vec3(0, 1, 0));
     // The same from given tangents, whose handedness is that of the unmirrored mesh.
-    Mesh& mesh = world.objects[0].geometries[0];
+    Mesh& mesh = test::mesh_of(world);
     mesh.normals.assign(4, Vec3(0, 0, 1));
     mesh.tangents.assign(4, Vec4(1, 0, 0, 1));
     expect_frame(tangent_frame(world, point, 0), Vec3(static_cast<float>(mirror), 0, 0),

@@ -48,7 +48,7 @@ void expect_renders(const fs::path& path) {
     ASSERT_LE(pixel.w, 1.0f);
   }
   const bool expected_empty =
-      scene.world.instances.empty() || k_empty_pictures.count(path.stem().string()) > 0;
+      scene.world.instances.empty() || k_empty_pictures.contains(path.stem().string());
   EXPECT_EQ(mean_alpha(result.film) == 0.0f, expected_empty);
 }
 

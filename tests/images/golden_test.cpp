@@ -48,7 +48,7 @@ Difference compare(const ExrFile& image, const ExrFile& golden) {
       ++result.non_finite;
       continue;
     }
-    const double expected = static_cast<double>(golden.values[i]);
+    const auto expected = static_cast<double>(golden.values[i]);
     const double difference = std::abs(static_cast<double>(image.values[i]) - expected) /
                               std::max(std::abs(expected), 0.01);
     result.mean += difference;

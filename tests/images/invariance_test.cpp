@@ -35,7 +35,8 @@ std::vector<shading::Vec4> cut(const Film& film, const shading::PixelRegion& par
   std::vector<shading::Vec4> pixels;
   for (int y = part.y; y < part.y + part.height; ++y) {
     for (int x = part.x; x < part.x + part.width; ++x) {
-      pixels.push_back(film.pixels[static_cast<std::size_t>(y * film.region.width + x)]);
+      const auto row = static_cast<std::size_t>(y) * static_cast<std::size_t>(film.region.width);
+      pixels.push_back(film.pixels[row + static_cast<std::size_t>(x)]);
     }
   }
   return pixels;

@@ -16,7 +16,9 @@ std::filesystem::path scenes_folder() { return source_dir() / "assets" / "scenes
 std::vector<std::string> own_scene_names() {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(scenes_folder())) {
-    if (entry.path().extension() == ".gltf") names.push_back(entry.path().stem().string());
+    const std::filesystem::path& path = entry.path();
+    const bool is_scene = path.extension() == ".gltf" || path.extension() == ".glb";
+    if (is_scene) names.push_back(path.stem().string());
   }
   std::sort(names.begin(), names.end());
   return names;
@@ -40,7 +42,11 @@ renderer::RenderResult render_scene(shading::Scene scene, const geometry::Camera
 }
 
 renderer::RenderResult render_own_scene(const std::string& name, const Shot& shot) {
-  const shading::Scene scene = io::load_gltf(scenes_folder() / (name + ".gltf")).scene;
+  const bool is_text = exists(scenes_folder() / (name + ".gltf"));
+  const std::filesystem::path path = scenes_folder() / (name + (is_text ? ".gltf" : ".glb"));
+  io::LoadOptions options;
+  options.tessellated = shot.tessellated;
+  const shading::Scene scene = io::load_gltf(path, options).scene;
   return render_scene(scene, scene.cameras.at(0), shot);
 }
 

@@ -20,6 +20,7 @@ struct Shot {
   shading::PixelRegion region = {};  ///< empty: the whole picture
   std::string_view accelerator = "embree";
   std::vector<renderer::Aov> aovs = {};
+  bool tessellated = false;  ///< triangles in place of analytic shapes
 };
 
 /// Renders a scene; one without lights gets the studio's.

@@ -27,13 +27,11 @@ inline std::string case_name(const testing::TestParamInfo<GuardCase>& info) {
   return info.param.name;
 }
 
-/// That the changed file gives Error(scene) with that pointer, in one line.
-inline void expect_scene_error(const GuardCase& test) {
+/// That the file gives Error(scene) with that pointer, in one line.
+inline void expect_scene_error(const nlohmann::json& json, const std::string& pointer) {
   const tests::TemporaryFolder folder;
-  const nlohmann::json json = triangle_file().complete().patch(nlohmann::json::parse(test.patch));
   const auto path = folder / "broken.gltf";
   write_bytes(path, json.dump());
-  const std::string pointer(test.pointer);
   const std::string start = path.string() + (pointer.empty() ? "" : " at " + pointer) + ": ";
   try {
     static_cast<void>(io::load_gltf(path));
@@ -45,6 +43,11 @@ inline void expect_scene_error(const GuardCase& test) {
     EXPECT_GT(message.size(), start.size());
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;
   }
+}
+
+inline void expect_scene_error(const GuardCase& test) {
+  expect_scene_error(triangle_file().complete().patch(nlohmann::json::parse(test.patch)),
+                     test.pointer);
 }
 
 }  // namespace lume::test

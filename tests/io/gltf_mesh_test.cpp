@@ -40,7 +40,7 @@ LoadedScene load(const GltfFile& file) {
 }
 
 Mesh load_mesh(const GltfFile& file) {
-  return load(file).scene.world.objects.at(0).geometries.at(0);
+  return *load(file).scene.world.objects.at(0).geometries.at(0).mesh();
 }
 
 const std::vector<float> k_triangle = {0, 0, 0, 1, 0, 0, 0, 1, 0};
@@ -198,7 +198,7 @@ TEST(GltfMesh, Holes_NeedMaskAndSomethingThatVaries) {
     material["alphaMode"] = mode;
     if (!textured) material["pbrMetallicRoughness"].erase("baseColorTexture");
     material["pbrMetallicRoughness"]["baseColorFactor"] = {1, 1, 1, alpha};
-    return load_mesh(file).has_holes;
+    return load(file).scene.world.objects.at(0).geometries.at(0).has_holes;
   };
   EXPECT_TRUE(has_holes(1.0, true, "MASK"));
   EXPECT_TRUE(has_holes(0.4, false, "MASK"));

@@ -36,7 +36,7 @@ GltfFile with_node(const nlohmann::json& node) {
 /// The world position of the triangle's corner at x = 1.
 DVec3 corner(const LoadedScene& loaded, std::size_t instance = 0) {
   const geometry::Instance& placed = loaded.scene.world.instances.at(instance);
-  const geometry::Mesh& mesh = loaded.scene.world.objects[placed.object].geometries[0];
+  const geometry::Mesh& mesh = *loaded.scene.world.objects[placed.object].geometries[0].mesh();
   return loaded.scene.origin + placed.transform.point_to_world(DVec3(mesh.positions[1]));
 }
 
@@ -239,7 +239,7 @@ TEST(GltfOrigin, MeshFarFromItsOwnOrigin_KeepsItsPositionsExactly) {
   const LoadedScene loaded = load(file);
   EXPECT_EQ(loaded.scene.origin, DVec3(0));
   const geometry::Transform& transform = loaded.scene.world.instances[0].transform;
-  const geometry::Mesh& mesh = loaded.scene.world.objects[0].geometries[0];
+  const geometry::Mesh& mesh = *loaded.scene.world.objects[0].geometries[0].mesh();
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_LT(std::abs(mesh.positions[i].x), 2.0f);
     const DVec3 world = transform.point_to_world(DVec3(mesh.positions[i]));

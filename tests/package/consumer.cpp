@@ -12,7 +12,7 @@ int main() {
   mesh.positions = {{-1.0f, -1.0f, -2.0f}, {1.0f, -1.0f, -2.0f}, {0.0f, 1.0f, -2.0f}};
   mesh.triangles = {{0, 1, 2}};
   World world;
-  world.objects = {{"triangle", {mesh}}};
+  world.objects = {{"triangle", {{mesh}}}};
   world.instances = {{"only", 0, Transform()}};
 
   const auto accelerator = make_accelerator("embree", world, nullptr);

@@ -17,7 +17,7 @@ using shading::Scene;
 using test::Random;
 
 double world_area(const Scene& scene, const geometry::Hit& hit) {
-  const auto [a, b, c] = scene.world.mesh(hit).corners(hit.primitive);
+  const auto [a, b, c] = scene.world.geometry(hit).mesh()->corners(hit.primitive);
   const auto& transform = scene.world.instances[hit.instance].transform;
   return 0.5 * length(cross(transform.vector_to_world(geometry::DVec3(b - a)),
                             transform.vector_to_world(geometry::DVec3(c - a))));

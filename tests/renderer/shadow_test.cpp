@@ -80,9 +80,8 @@ TEST(ShadowRay, BlendedSurfaces_PassOneMinusAlphaEach) {
 TEST(ShadowRay, MaskedSurface_IsAHoleOrAWall) {
   for (const float alpha : {0.3f, 0.7f}) {
     Scene scene;
-    geometry::Mesh leaf = test::square_mesh();
-    leaf.has_holes = true;
-    Material& material = add_surface(scene, leaf);
+    Material& material = add_surface(scene, test::square_mesh());
+    scene.world.objects[0].geometries[0].has_holes = true;
     material.alpha_mode = shading::AlphaMode::mask;
     material.alpha = alpha;
     expect_near(trace(scene).color, Color(alpha < 0.5f ? 1.0f : 0.0f));

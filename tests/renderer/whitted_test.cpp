@@ -15,7 +15,6 @@ namespace {
 using geometry::k_pi;
 using geometry::Ray;
 using geometry::Vec3;
-using shading::Environment;
 using shading::Material;
 using shading::PunctualLight;
 using shading::Scene;
@@ -85,9 +84,11 @@ TEST(Whitted, MirrorInAnEnvironment_ShowsItInTheMirrorDirection) {
   metal.base_color = {1.0f, 0.8f, 0.5f};
   metal.roughness = 0.0f;
   // Red light from +x, none from elsewhere (u = 0.5 is +x).
-  std::vector<Color> pixels(64 * 32, Color(0.0f));
-  for (int y = 0; y < 32; ++y) {
-    for (int x = 20; x < 44; ++x) pixels[static_cast<std::size_t>(y * 64 + x)] = Color(1, 0, 0);
+  std::vector<Color> pixels;
+  pixels.reserve(2048);
+  for (int i = 0; i < 64 * 32; ++i) {
+    const int x = i % 64;
+    pixels.emplace_back(x >= 20 && x < 44 ? 1.0f : 0.0f, 0.0f, 0.0f);
   }
   scene.environment.emplace(64, 32, pixels);
   const Vec3 in = glm::normalize(Vec3(1, 0, -1));
@@ -208,8 +209,9 @@ TEST(Whitted, MaxDepth_CutsTheRecursion) {
   top.emission = Color(1.0f);
   for (int depth = 0; depth <= 6; ++depth) {
     // Perfect mirrors: down, up (1), down, up (1) ...
-    EXPECT_NEAR(mean_radiance(scene, k_down_z, 1, depth).color.x,
-                static_cast<float>((depth + 1) / 2), 1e-4f);
+    const int lamps_met = (depth + 1) / 2;
+    EXPECT_NEAR(mean_radiance(scene, k_down_z, 1, depth).color.x, static_cast<float>(lamps_met),
+                1e-4f);
   }
 }
 

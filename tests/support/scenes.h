@@ -9,11 +9,13 @@
 
 namespace lume::test {
 
-/// Adds a mesh with a material of its own; returns the material to be filled in.
-inline shading::Material& add_surface(shading::Scene& scene, geometry::Mesh mesh,
-                                      const geometry::DMat4& transform = geometry::DMat4(1.0)) {
-  mesh.material = static_cast<std::uint32_t>(scene.materials.size());
-  add_instance(scene.world, std::move(mesh), transform);
+/// Adds a mesh or a shape with a material of its own; returns the material to be filled in.
+template <class Surface>
+shading::Material& add_surface(shading::Scene& scene, Surface surface,
+                               const geometry::DMat4& transform = geometry::DMat4(1.0)) {
+  add_instance(scene.world, std::move(surface), transform);
+  scene.world.objects.back().geometries[0].material =
+      static_cast<std::uint32_t>(scene.materials.size());
   return scene.materials.emplace_back();
 }
 

@@ -65,11 +65,18 @@ inline geometry::Mesh triangle_soup(Random& random, std::size_t count, float hal
   return mesh;
 }
 
-inline void add_instance(geometry::World& world, geometry::Mesh mesh,
-                         const geometry::DMat4& transform = geometry::DMat4(1.0)) {
-  world.objects.push_back({"", {std::move(mesh)}});
+/// Adds an object of one surface, a mesh or a shape, and an instance of it.
+template <class Surface>
+void add_instance(geometry::World& world, Surface surface,
+                  const geometry::DMat4& transform = geometry::DMat4(1.0)) {
+  world.objects.emplace_back().geometries.push_back({std::move(surface)});
   world.instances.push_back(
       {"", static_cast<std::uint32_t>(world.objects.size() - 1), geometry::Transform(transform)});
+}
+
+/// The mesh of an object that was added as one.
+inline geometry::Mesh& mesh_of(geometry::World& world, std::size_t object = 0) {
+  return std::get<geometry::Mesh>(world.objects[object].geometries[0].surface);
 }
 
 /// A random affine transform: rotation, shear, scales of either sign between 1/8 and 8,
