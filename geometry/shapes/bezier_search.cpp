@@ -4,8 +4,7 @@
 // rectangle. If the row sums of |Y F' - 1| stay below k < 1/3 in all of it, then
 //  - F is injective, for F(p) - F(q) is an average of F' between the points, times p - q;
 //  - a Newton step from p errs by at most 2 k / (1 - k) < 1 times the error of p, and clamping it
-//  to
-//    the rectangle brings it no farther from a crossing that is inside.
+//    to the rectangle brings it no farther from a crossing that is inside.
 // So the clamped iteration finds the crossing, or comes to rest at the edge if there is none. Other
 // rectangles are cut in two until each is of this kind or its image excludes the origin.
 #include "geometry/shapes/bezier_piece.h"
@@ -29,13 +28,13 @@ void report(BezierQuery& query, double s, double u, double v, std::uint32_t patc
 }
 
 /// What is known of a map over a rectangle.
-struct Shape {
+struct MapBounds {
   DVec2 du{0.0};  ///< mean derivatives
   DVec2 dv{0.0};
   bool is_regular = false;
   bool bends_along_u = false;  ///< whether cutting u brings it closer to being regular
 
-  explicit Shape(const Net2& net) {
+  explicit MapBounds(const Net2& net) {
     for (std::size_t i = 0; i < 4; ++i) {
       du += 0.25 * (net[4 * i + 3] - net[4 * i]);
       dv += 0.25 * (net[12 + i] - net[i]);
@@ -127,7 +126,7 @@ class Search {
       upper = glm::max(upper, p);
     }
     if (lower.x > pad || lower.y > pad || upper.x < -pad || upper.y < -pad) return;
-    const Shape shape(net);
+    const MapBounds shape(net);
     const double image_size = std::max(upper.x - lower.x, upper.y - lower.y);
     if (excludes_origin(net, shape, image_size)) return;
 
@@ -153,7 +152,8 @@ class Search {
   /// Whether the image is to one side of the line through the origin along the image's longer
   /// derivative: near a silhouette the image of a rectangle is long and thin. A piece that is seen
   /// exactly edge-on is not met either, as no plane is by a line within it.
-  [[nodiscard]] bool excludes_origin(const Net2& net, const Shape& shape, double image_size) const {
+  [[nodiscard]] bool excludes_origin(const Net2& net, const MapBounds& shape,
+                                     double image_size) const {
     const DVec2 along = dot(shape.du, shape.du) > dot(shape.dv, shape.dv) ? shape.du : shape.dv;
     double lower = cross2(along, net[0]);
     double upper = lower;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -19,14 +20,14 @@ namespace lume::geometry {
     return {k_none, k_none};
   }
   const double root = std::sqrt(discriminant);
-  const double q = b < 0.0 ? root - b : -root - b;
+  const double q = -(b + std::copysign(root, b));
   if (q == 0.0) {  // b = 0 and a c = 0
     const double t = a != 0.0 ? 0.0 : std::numeric_limits<double>::quiet_NaN();
     return {t, t};
   }
   const double first = q / a;
   const double second = c / q;
-  return first < second ? std::pair(first, second) : std::pair(second, first);
+  return {std::min(first, second), std::max(first, second)};
 }
 
 }  // namespace lume::geometry

@@ -4,8 +4,7 @@
 #include "geometry/shapes/cylindrical_point.h"
 #include "geometry/shapes/face.h"
 #include "geometry/shapes/interval_functions.h"
-#include "geometry/shapes/line.h"
-#include "geometry/shapes/quadratic.h"
+#include "geometry/shapes/span.h"
 #include "geometry/shapes/tight_box.h"
 
 #include <array>
@@ -37,10 +36,6 @@ Quadric::Quadric(const DMat4& q, const DVec3& lower, const DVec3& upper, bool ca
 
 double Quadric::value(const DVec3& p) const {
   return dot(p, squares_ * p + 2.0 * linear_) + constant_;
-}
-
-bool Quadric::is_in_box(const DVec3& p) const {
-  return glm::all(glm::greaterThanEqual(p, lower_)) && glm::all(glm::lessThanEqual(p, upper_));
 }
 
 /// With F = (p - m).A(p - m) - s and A positive definite the surface is an ellipsoid around m, and
@@ -113,50 +108,32 @@ double Quadric::support(const DVec3& direction) const {
   return sum;
 }
 
-std::optional<Crossing> Quadric::intersect(const ObjectRay& ray) const {
-  // With x = o + t d, F becomes a t^2 + 2 b t + c.
-  const auto [shift, o] = start_near(ray, middle_, size_);
-  const DVec3& d = ray.direction;
-  const DVec3 half_gradient = squares_ * o + linear_;
-  const double a = dot(d, squares_ * d);
-  const double b = dot(d, half_gradient);
-  const double c = dot(o, half_gradient + linear_) + constant_;
-  const auto [first, second] = solve_quadratic(a, b, c);
-  if (!caps_) return cross_side(ray, first + shift, second + shift);
-
+std::optional<Crossing> Quadric::intersect_solid(const ObjectRay& ray, const Along& line) const {
   Span box;
   for (int axis = 0; axis < 3; ++axis) {
-    box = intersection(box, slab(o, d, axis, lower_[axis], upper_[axis],
+    box = intersection(box, slab(line.origin, ray.direction, axis, lower_[axis], upper_[axis],
                                  first_cap + 2 * static_cast<std::uint32_t>(axis)));
   }
-  if (box.is_empty() || std::isnan(b + c)) return std::nullopt;
+  if (box.is_empty() || std::isnan(line.b + line.c)) return std::nullopt;
   // The line is inside where a t^2 + 2 b t + c <= 0: between the roots, or before the first and
   // after the second.
   std::array<Span, 2> inside;
   int count = 1;
-  if (std::isnan(first)) {
-    if (c > 0.0) return std::nullopt;
-  } else if (a > 0.0) {
-    inside[0] = {first, second};
-  } else if (a == 0.0) {
-    const double root = std::isfinite(first) ? first : second;
-    (b > 0.0 ? inside[0].leave : inside[0].enter) = root;
+  if (std::isnan(line.first)) {
+    if (line.c > 0.0) return std::nullopt;
+  } else if (line.a > 0.0) {
+    inside[0] = {line.first, line.second};
+  } else if (line.a == 0.0) {
+    const double root = std::isfinite(line.first) ? line.first : line.second;
+    (line.b > 0.0 ? inside[0].leave : inside[0].enter) = root;
   } else {
-    inside[0].leave = first;
-    inside[1].enter = second;
+    inside[0].leave = line.first;
+    inside[1].enter = line.second;
     count = 2;
   }
   for (int i = 0; i < count; ++i) {
     const Span part = intersection(box, inside[static_cast<std::size_t>(i)]);
-    if (const auto crossing = first_end(shifted(part, shift), ray)) return crossing;
-  }
-  return std::nullopt;
-}
-
-std::optional<Crossing> Quadric::cross_side(const ObjectRay& ray, double first,
-                                            double second) const {
-  for (const double t : {first, second}) {
-    if (std::isfinite(t) && ray.contains(t) && is_in_box(ray.at(t))) return Crossing{.t = t};
+    if (const auto crossing = first_end(shifted(part, line.t), ray)) return crossing;
   }
   return std::nullopt;
 }

@@ -5,9 +5,11 @@
 #pragma once
 
 #include "geometry/crossing.h"
+#include "geometry/shapes/line.h"
+#include "geometry/shapes/quadratic.h"
 #include "geometry/shapes/shape_point.h"
-#include "geometry/shapes/span.h"
 
+#include <cmath>
 #include <optional>
 
 namespace lume::geometry {
@@ -24,7 +26,13 @@ class Quadric {
   /// An upper bound of dot(p, direction) over all points p; infinity where there is none. Exact for
   /// an ellipsoid that the box leaves whole, of the tightest box to about 1% for all others.
   [[nodiscard]] double support(const DVec3& direction) const;
-  [[nodiscard]] std::optional<Crossing> intersect(const ObjectRay& ray) const;
+  [[nodiscard]] std::optional<Crossing> intersect(const ObjectRay& ray) const {
+    const Along line = along(ray);
+    if (caps_) return intersect_solid(ray, line);
+    if (is_there(ray, line.t + line.first)) return Crossing{.t = line.t + line.first};
+    if (is_there(ray, line.t + line.second)) return Crossing{.t = line.t + line.second};
+    return std::nullopt;
+  }
   /// On the side u around y, v from the top to the bottom of the box; caps as the faces of a box.
   [[nodiscard]] ShapePoint point(const DVec3& near, const Crossing& crossing) const;
 
@@ -33,9 +41,35 @@ class Quadric {
   [[nodiscard]] DVec3 gradient(const DVec3& p) const { return 2.0 * (squares_ * p + linear_); }
 
  private:
-  [[nodiscard]] bool is_in_box(const DVec3& p) const;
-  [[nodiscard]] std::optional<Crossing> cross_side(const ObjectRay& ray, double first,
-                                                   double second) const;
+  /// F along a line: a t^2 + 2 b t + c, with t counted from `origin`, the ray's point at `t`.
+  struct Along {
+    double t;
+    DVec3 origin;
+    double a;
+    double b;
+    double c;
+    double first;  ///< the roots, not a number if there are none
+    double second;
+  };
+  [[nodiscard]] Along along(const ObjectRay& ray) const {
+    const auto [t, o] = start_near(ray, middle_, size_);
+    const DVec3& d = ray.direction;
+    const DVec3 half_gradient = squares_ * o + linear_;
+    const double a = dot(d, squares_ * d);
+    const double b = dot(d, half_gradient);
+    const double c = dot(o, half_gradient + linear_) + constant_;
+    const auto [first, second] = solve_quadratic(a, b, c);
+    return {t, o, a, b, c, first, second};
+  }
+  [[nodiscard]] bool is_in_box(const DVec3& p) const {
+    return p.x >= lower_.x && p.x <= upper_.x && p.y >= lower_.y && p.y <= upper_.y &&
+           p.z >= lower_.z && p.z <= upper_.z;
+  }
+  [[nodiscard]] bool is_there(const ObjectRay& ray, double t) const {
+    return std::isfinite(t) && ray.contains(t) && is_in_box(ray.at(t));
+  }
+  [[nodiscard]] std::optional<Crossing> intersect_solid(const ObjectRay& ray,
+                                                        const Along& line) const;
   void find_bounds();
   void find_ellipsoid();
 

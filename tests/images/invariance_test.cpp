@@ -93,7 +93,7 @@ TEST_P(Invariance, InstructionSet_ChangesOnlyRaysAlongEdges) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Assets, Invariance,
-                         testing::Values("afternoon", "alpha_modes", "far_away", "glass"),
+                         testing::Values("afternoon", "alpha_modes", "far_away", "glass", "museum"),
                          [](const auto& scene) { return scene.param; });
 
 class EqualAccelerators : public testing::TestWithParam<std::string> {};
@@ -109,7 +109,8 @@ TEST_P(EqualAccelerators, BruteForceAndEmbree_GiveEqualBits) {
 // Scenes of few triangles: brute force looks at each one for each ray. None has a ray that meets
 // two triangles at exactly the same distance, where either answer would be right.
 INSTANTIATE_TEST_SUITE_P(Assets, EqualAccelerators,
-                         testing::Values("alpha_modes", "normal_maps", "textures"),
+                         testing::Values("alpha_modes", "normal_maps", "teapot", "textures",
+                                         "whitted"),
                          [](const auto& scene) { return scene.param; });
 
 }  // namespace

@@ -63,6 +63,21 @@ std::vector<ShapeCase> make_cases() {
       {"tapered_capsule", Capsule(1.0, 0.2, 0.7), test::capsule_oracle(1.0, 0.2, 0.7)},
       {"swallowed_capsule", Capsule(0.5, 1.0, 0.3), test::capsule_oracle(0.5, 1.0, 0.3)},
   };
+  // Gears of a watch and hills of a planet.
+  for (const double size : {1e-6, 1e6}) {
+    const std::string name = size < 1.0 ? "tiny_" : "huge_";
+    const DVec3 half(0.5 * size, size, 0.8 * size);
+    cases.push_back({name + "box", Box{half}, test::box_oracle(half), size});
+    cases.push_back(
+        {name + "disk", Disk{size, 0.3 * size}, test::disk_oracle(size, 0.3 * size), size});
+    cases.push_back({name + "cylinder", Cylinder{size, 0.7 * size, 0.4 * size},
+                     test::cylinder_oracle(size, 0.7 * size, 0.4 * size), size});
+    cases.push_back({name + "capsule", Capsule(size, 0.5 * size, 0.3 * size),
+                     test::capsule_oracle(size, 0.5 * size, 0.3 * size), size});
+    cases.push_back(quadric_case(name + "quadric",
+                                 quadric_matrix(QuadricForm::hyperboloid_one_sheet, half, 0.5),
+                                 half, true, 2.0 / size));
+  }
   const DVec3 axes(1.0, 0.5, 0.75);
   const auto form = [&](QuadricForm which) { return quadric_matrix(which, axes, 0.5); };
   const DVec3 half_box = axes * DVec3(1.0, 0.6, 1.0);
@@ -247,6 +262,16 @@ TEST_P(ClosedForm, RaysThatAreNotFinite_MeetNothing) {
   }
   const ObjectRay still{.origin = {0.1, 0.2, 0.3}, .direction = DVec3(0.0)};
   EXPECT_FALSE(intersect(shape(), still).has_value());
+}
+
+TEST(Quadric, CoefficientsThatAreNotNumbers_AreMetNowhere) {
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    for (const bool caps : {false, true}) {
+      const Quadric quadric(DMat4(bad), DVec3(-1.0), DVec3(1.0), caps);
+      EXPECT_FALSE(quadric.intersect({{0.1, 3.0, 0.2}, {0.1, -1.0, 0.3}}).has_value());
+    }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, ClosedForm, testing::ValuesIn(make_cases()),
