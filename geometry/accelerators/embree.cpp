@@ -1,122 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/accelerators/embree.h"
 
-#include "geometry/refine.h"
+#include "geometry/accelerators/embree_callbacks.h"
 
-#include <embree3/rtcore.h>
-
-#include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <cmath>
 #include <cstdlib>
 #include <cstring>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace lume::geometry {
 namespace {
-
-/// Embree hands this back to the functions below: the first member is what it knows, the rest is
-/// ours.
-struct QueryContext {
-  RTCIntersectContext embree;
-  const Ray* ray;  ///< in the scene's frame; Embree's own copy is in object space by then
-  const World* world;
-  const HoleTest* holes;
-  /// The nearest shape so far. Embree keeps distances as floats, and two shapes may be nearer to
-  /// each other than those can tell.
-  std::optional<Hit> nearest = std::nullopt;
-  double nearest_t = std::numeric_limits<double>::infinity();
-};
-
-QueryContext& query_of(RTCIntersectContext* context) {
-  return *reinterpret_cast<QueryContext*>(context);
-}
-
-/// Embree asks this at each candidate on a mesh with holes, for closest and any hits alike. The
-/// barycentric coordinates are refined first, so that the rim of a hole is the same under every
-/// accelerator.
-void reject_holes(const RTCFilterFunctionNArguments* args) {
-  const QueryContext& query = query_of(args->context);
-  const auto& candidate = *reinterpret_cast<const RTCHit*>(args->hit);  // N is 1: single rays only
-  const Hit hit{candidate.instID[0], candidate.geomID, candidate.primID};
-  const Crossing crossing = refine(*query.world, *query.ray, hit, nullptr);
-  const Vec2 uv(static_cast<float>(crossing.u), static_cast<float>(crossing.v));
-  if (query.holes->is_hole(hit, uv)) args->valid[0] = 0;
-}
-
-/// All shapes of the world that have an end, as often as they are placed: what Embree's user
-/// primitives stand for.
-struct PlacedShapes {
-  const World& world;
-  std::vector<Hit> shapes;  ///< by primID
-};
-
-const PlacedShapes& placed_shapes(const void* user_pointer) {
-  return *static_cast<const PlacedShapes*>(user_pointer);
-}
-
-void bound_shape(const RTCBoundsFunctionArguments* args) {
-  const PlacedShapes& placed = placed_shapes(args->geometryUserPtr);
-  const Hit& hit = placed.shapes[args->primID];
-  const Bounds bounds =
-      shape_bounds(*placed.world.geometry(hit).shape(), placed.world.transform(hit));
-  *args->bounds_o = {bounds.lower.x, bounds.lower.y, bounds.lower.z, 0.0f,
-                     bounds.upper.x, bounds.upper.y, bounds.upper.z, 0.0f};
-}
-
-/// The nearest float that is not below: what Embree may look at must reach to t itself.
-float rounded_up(double t) {
-  const auto nearest = static_cast<float>(t);
-  return static_cast<double>(nearest) >= t
-             ? nearest
-             : std::nextafter(nearest, std::numeric_limits<float>::infinity());
-}
-
-/// Makes the shape the nearest hit if it is. Returns whether it is.
-bool take_if_nearest(QueryContext& query, Hit hit, float t_max) {
-  ObjectRay ray = to_object(query.world->transform(hit), *query.ray);
-  ray.t_max = std::min(static_cast<double>(t_max), query.nearest_t);
-  const auto crossing = first_crossing(*query.world, ray, hit, query.holes);
-  if (!crossing) return false;
-  hit.primitive = crossing->part;
-  // Of several at the same place the lowest identity is met.
-  if (crossing->t == query.nearest_t && query.nearest && *query.nearest < hit) return false;
-  query.nearest = hit;
-  query.nearest_t = crossing->t;
-  return true;
-}
-
-/// Whether the query's ray meets the shape at all.
-bool is_occluded(const QueryContext& query, const Hit& hit) {
-  const Geometry& geometry = query.world->geometry(hit);
-  const ObjectRay ray = to_object(query.world->transform(hit), *query.ray);
-  if (geometry.has_holes) return first_crossing(*query.world, ray, hit, query.holes).has_value();
-  return meets(*geometry.shape(), ray);
-}
-
-void intersect_shape(const RTCIntersectFunctionNArguments* args) {
-  if (args->valid[0] == 0) return;
-  QueryContext& query = query_of(args->context);
-  auto& state = *reinterpret_cast<RTCRayHit*>(args->rayhit);
-  const Hit hit = placed_shapes(args->geometryUserPtr).shapes[args->primID];
-  if (!take_if_nearest(query, hit, state.ray.tfar)) return;
-  state.ray.tfar = rounded_up(query.nearest_t);
-  state.hit.instID[0] = query.nearest->instance;
-  state.hit.geomID = query.nearest->geometry;
-  state.hit.primID = query.nearest->primitive;
-}
-
-void occlude_shape(const RTCOccludedFunctionNArguments* args) {
-  if (args->valid[0] == 0) return;
-  const QueryContext& query = query_of(args->context);
-  auto& ray = *reinterpret_cast<RTCRay*>(args->ray);
-  const Hit hit = placed_shapes(args->geometryUserPtr).shapes[args->primID];
-  if (is_occluded(query, hit)) ray.tfar = -std::numeric_limits<float>::infinity();
-}
 
 RTCRay to_embree(const Ray& ray) {
   RTCRay result{};
@@ -153,13 +49,11 @@ class Embree final : public Accelerator {
 
   std::optional<Hit> closest_hit(const Ray& ray) const override {
     if (!is_traceable(ray)) return std::nullopt;
-    QueryContext context = make_context(ray);
+    EmbreeQuery context = make_context(ray);
     RTCRayHit query{to_embree(ray), {}};
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     for (const Hit& shape : unbounded_) {
-      if (take_if_nearest(context, shape, ray.t_max)) {
-        query.ray.tfar = rounded_up(context.nearest_t);
-      }
+      if (take_if_nearest(context, shape, ray.t_max)) query.ray.tfar = nearest_tfar(context);
     }
     rtcIntersect1(scene_, &context.embree, &query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return context.nearest;
@@ -168,7 +62,7 @@ class Embree final : public Accelerator {
 
   bool any_hit(const Ray& ray) const override {
     if (!is_traceable(ray)) return false;
-    QueryContext context = make_context(ray);
+    EmbreeQuery context = make_context(ray);
     for (const Hit& shape : unbounded_) {
       if (is_occluded(context, shape)) return true;
     }
@@ -191,8 +85,8 @@ class Embree final : public Accelerator {
   }
 
  private:
-  [[nodiscard]] QueryContext make_context(const Ray& ray) const {
-    QueryContext context{.embree = {}, .ray = &ray, .world = &world_, .holes = holes_};
+  [[nodiscard]] EmbreeQuery make_context(const Ray& ray) const {
+    EmbreeQuery context{.embree = {}, .ray = &ray, .world = &world_, .holes = holes_};
     rtcInitIntersectContext(&context.embree);
     return context;
   }
@@ -207,22 +101,28 @@ class Embree final : public Accelerator {
 
   void build() {
     scene_ = new_scene();
-    for (const Object& object : world_.objects) object_scenes_.push_back(build_object(object));
+    for (const Object& object : world_.objects) build_object(object);
     for (std::uint32_t i = 0; i < world_.instances.size(); ++i) place(i);
     attach_shapes();
     commit(scene_);
   }
 
-  /// The hierarchy over an object's triangles; null if it has none.
-  [[nodiscard]] RTCScene build_object(const Object& object) const {
-    RTCScene scene = nullptr;
+  /// The hierarchy over an object's triangles, if it has any.
+  void build_object(const Object& object) {
+    RTCScene& scene = object_scenes_.emplace_back(nullptr);
     for (std::uint32_t i = 0; i < object.geometries.size(); ++i) {
       if (object.geometries[i].mesh() == nullptr) continue;
       if (scene == nullptr) scene = new_scene();
       attach_mesh(scene, object.geometries[i], i);
     }
     if (scene != nullptr) commit(scene);
-    return scene;
+  }
+
+  /// False for what Embree would silently leave out.
+  static bool fits(const Bounds& bounds) {
+    constexpr float k_largest = 1e17f;
+    return bounds.is_finite() && glm::all(glm::lessThan(glm::abs(bounds.lower), Vec3(k_largest))) &&
+           glm::all(glm::lessThan(glm::abs(bounds.upper), Vec3(k_largest)));
   }
 
   /// Triangles are met in their object's space, shapes in the scene's: there each has the tightest
@@ -235,8 +135,8 @@ class Embree final : public Accelerator {
     for (std::uint32_t i = 0; i < geometries.size(); ++i) {
       const Shape* shape = geometries[i].shape();
       if (shape == nullptr) continue;
-      const bool is_bounded = shape_bounds(*shape, instance.transform).is_finite();
-      (is_bounded ? placed_.shapes : unbounded_).push_back({index, i, 0});
+      const bool has_place = fits(shape_bounds(*shape, instance.transform));
+      (has_place ? placed_.shapes : unbounded_).push_back({index, i, 0});
     }
   }
 

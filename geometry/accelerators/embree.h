@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Intel Embree 3 behind the Accelerator interface. All that is peculiar to Embree, its version
-// included, stays in embree.cpp.
+// included, stays in embree.cpp and embree_callbacks.
 #pragma once
 
 #include "geometry/accelerators/accelerator.h"

@@ -21,7 +21,9 @@ struct GuardCase {
   const char* pointer;
 };
 
-inline void PrintTo(const GuardCase& test, std::ostream* out) { *out << test.name; }
+inline std::ostream& operator<<(std::ostream& out, const GuardCase& test) {
+  return out << test.name;
+}
 
 inline std::string case_name(const testing::TestParamInfo<GuardCase>& info) {
   return info.param.name;

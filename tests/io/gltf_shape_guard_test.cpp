@@ -15,7 +15,7 @@ struct ShapeCase {
   const char* pointer;
 };
 
-void PrintTo(const ShapeCase& test, std::ostream* out) { *out << test.name; }
+std::ostream& operator<<(std::ostream& out, const ShapeCase& test) { return out << test.name; }
 
 const std::string k_shapes = "/extensions/KHR_implicit_shapes/shapes";
 

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/accelerators/embree_callbacks.h"
+
+#include "geometry/refine.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lume::geometry {
+namespace {
+
+EmbreeQuery& query_of(RTCIntersectContext* context) {
+  return *reinterpret_cast<EmbreeQuery*>(context);
+}
+
+const PlacedShapes& placed_shapes(const void* user_pointer) {
+  return *static_cast<const PlacedShapes*>(user_pointer);
+}
+
+}  // namespace
+
+void reject_holes(const RTCFilterFunctionNArguments* args) {
+  const EmbreeQuery& query = query_of(args->context);
+  const auto& candidate = *reinterpret_cast<const RTCHit*>(args->hit);  // N is 1: single rays only
+  const Hit hit{candidate.instID[0], candidate.geomID, candidate.primID};
+  const Crossing crossing = refine(*query.world, *query.ray, hit, nullptr);
+  const Vec2 uv(static_cast<float>(crossing.u), static_cast<float>(crossing.v));
+  if (query.holes->is_hole(hit, uv)) args->valid[0] = 0;
+}
+
+void bound_shape(const RTCBoundsFunctionArguments* args) {
+  const PlacedShapes& placed = placed_shapes(args->geometryUserPtr);
+  const Hit& hit = placed.shapes[args->primID];
+  const Bounds bounds =
+      shape_bounds(*placed.world.geometry(hit).shape(), placed.world.transform(hit));
+  *args->bounds_o = {bounds.lower.x, bounds.lower.y, bounds.lower.z, 0.0f,
+                     bounds.upper.x, bounds.upper.y, bounds.upper.z, 0.0f};
+}
+
+float nearest_tfar(const EmbreeQuery& query) {
+  const auto nearest = static_cast<float>(query.nearest_t);
+  return static_cast<double>(nearest) >= query.nearest_t
+             ? nearest
+             : std::nextafter(nearest, std::numeric_limits<float>::infinity());
+}
+
+bool take_if_nearest(EmbreeQuery& query, Hit hit, float t_max) {
+  ObjectRay ray = to_object(query.world->transform(hit), *query.ray);
+  ray.t_max = std::min(static_cast<double>(t_max), query.nearest_t);
+  const auto crossing = first_crossing(*query.world, ray, hit, query.holes);
+  if (!crossing) return false;
+  hit.primitive = crossing->part;
+  // Of several at the same place the lowest identity is met.
+  if (crossing->t == query.nearest_t && query.nearest && *query.nearest < hit) return false;
+  query.nearest = hit;
+  query.nearest_t = crossing->t;
+  return true;
+}
+
+bool is_occluded(const EmbreeQuery& query, const Hit& hit) {
+  const Geometry& geometry = query.world->geometry(hit);
+  const ObjectRay ray = to_object(query.world->transform(hit), *query.ray);
+  if (geometry.has_holes) return first_crossing(*query.world, ray, hit, query.holes).has_value();
+  return meets(*geometry.shape(), ray);
+}
+
+void intersect_shape(const RTCIntersectFunctionNArguments* args) {
+  if (args->valid[0] == 0) return;
+  EmbreeQuery& query = query_of(args->context);
+  auto& state = *reinterpret_cast<RTCRayHit*>(args->rayhit);
+  const Hit hit = placed_shapes(args->geometryUserPtr).shapes[args->primID];
+  if (!take_if_nearest(query, hit, state.ray.tfar)) return;
+  state.ray.tfar = nearest_tfar(query);
+  state.hit.instID[0] = query.nearest->instance;
+  state.hit.geomID = query.nearest->geometry;
+  state.hit.primID = query.nearest->primitive;
+}
+
+void occlude_shape(const RTCOccludedFunctionNArguments* args) {
+  if (args->valid[0] == 0) return;
+  const EmbreeQuery& query = query_of(args->context);
+  auto& ray = *reinterpret_cast<RTCRay*>(args->ray);
+  const Hit hit = placed_shapes(args->geometryUserPtr).shapes[args->primID];
+  if (is_occluded(query, hit)) ray.tfar = -std::numeric_limits<float>::infinity();
+}
+
+}  // namespace lume::geometry
