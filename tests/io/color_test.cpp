@@ -151,8 +151,8 @@ TEST(ViewTransform, AcesSdr_MapsBlackToBlackAndIsMonotonicOnGreys) {
     const ViewTransform view = own_view(display, "ACES SDR");
     EXPECT_LT(through(view, Color(0.0f)).x, 0.01f);
     float last = -1.0f;
-    for (float x = 0.0f; x < 8.0f; x += 0.05f) {
-      const Color value = through(view, Color(x));
+    for (int step = 0; step < 160; ++step) {
+      const Color value = through(view, Color(0.05f * static_cast<float>(step)));
       EXPECT_GE(value.y, last) << display;
       EXPECT_NEAR(value.x, value.y, 0.02f) << "grey stays grey";
       last = value.y;
@@ -204,6 +204,7 @@ TEST(ViewTransform, CopiesOnSeveralThreads_GiveTheSameColors) {
   const std::vector<Color> colors(20000, Color(0.3f, 0.6f, 0.1f));
   std::vector<std::vector<Color>> results(4, colors);
   std::vector<std::thread> threads;
+  threads.reserve(results.size());
   for (std::vector<Color>& result : results) {
     threads.emplace_back([copy = view, &result] { copy.apply(result); });
   }

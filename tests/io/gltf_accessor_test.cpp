@@ -79,10 +79,11 @@ RandomAccessor make_accessor(Random& random) {
                          {"normalized", accessor.normalized}};
   if (accessor.has_view) {
     const bool interleaved = random.below(2) == 0;
-    accessor.stride = interleaved ? (element + 3) / 4 * 4 + 4 * below(random, 4) : element;
-    const std::size_t offset = 4 * below(random, 3);
+    accessor.stride =
+        interleaved ? (element + 3) / 4 * 4 + std::size_t{4} * below(random, 4) : element;
+    const std::size_t offset = std::size_t{4} * below(random, 3);
     const std::size_t size = offset + (accessor.count - 1) * accessor.stride + element;
-    accessor.file.append(random_bytes(random, 4 * below(random, 4), false));
+    accessor.file.append(random_bytes(random, std::size_t{4} * below(random, 4), false));
     const std::size_t view = accessor.file.add_view(random_bytes(random, size, accessor.kind == 5));
     accessor.start =
         accessor.file.json["bufferViews"][view]["byteOffset"].get<std::size_t>() + offset;
@@ -136,7 +137,7 @@ void expect_values(const RandomAccessor& accessor, const std::vector<V>& values)
   ASSERT_EQ(values.size(), accessor.count);
   for (std::size_t i = 0; i < accessor.count; ++i) {
     for (std::size_t c = 0; c < accessor.components; ++c) {
-      const float wanted = static_cast<float>(expected(accessor, i, c));
+      const auto wanted = static_cast<float>(expected(accessor, i, c));
       const float value = values[i][static_cast<int>(c)];
       ASSERT_FLOAT_EQ(value, wanted) << "element " << i << " component " << c << " of type "
                                      << k_component_types[accessor.kind];

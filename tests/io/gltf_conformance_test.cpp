@@ -86,8 +86,9 @@ TEST_F(GltfConformance, GeneratedPositives_Load) {
   // Their textures are not part of the data: these test how a missing image is reported.
   const auto without_textures = [&](const std::string& group, int count) {
     for (int i = 0; i < count; ++i) {
-      const std::string number = (i < 10 ? "_0" : "_") + std::to_string(i);
-      refusals[group + '/' + group + number + ".gltf"] = "/images/0/uri: names";
+      std::string path = group;
+      path.append("/").append(group).append(i < 10 ? "_0" : "_").append(std::to_string(i));
+      refusals[path.append(".gltf")] = "/images/0/uri: names";
     }
   };
   without_textures("Node_Attribute", 9);

@@ -140,7 +140,8 @@ TEST(DecodeImage, HdrFile_BecomesFloat) {
   const Image image = decode_image(encoded(".hdr", 8, 4), "hdr");
   const auto& texels = std::get<std::vector<float>>(image.texels);
   ASSERT_EQ(texels.size(), 4u * 8 * 4);
-  EXPECT_NEAR(texels[4 * 4], 0.5f, 0.01f);
+  constexpr std::size_t k_fifth_texel = 16;
+  EXPECT_NEAR(texels[k_fifth_texel], 0.5f, 0.01f);
   EXPECT_EQ(texels[3], 1.0f);
 }
 
@@ -148,7 +149,9 @@ TEST(DecodeImage, TruncatedJpeg_IsAnErrorAndPaddingIsNot) {
   std::vector<std::byte> jpeg = encoded(".jpg", 64, 48);
   const Image whole = decode_image(jpeg, "jpeg");
   EXPECT_EQ(whole.width, 64);
-  EXPECT_NEAR(bytes_of(whole)[4 * (64 * 24 + 32)], bytes_of(whole)[4 * (64 * 25 + 32)], 6);
+  constexpr std::size_t k_row = 256;  // values
+  constexpr std::size_t k_middle = 24 * k_row + 128;
+  EXPECT_NEAR(bytes_of(whole)[k_middle], bytes_of(whole)[k_middle + k_row], 6);
 
   for (const std::size_t length : {jpeg.size() - 1, jpeg.size() - 2, jpeg.size() / 2}) {
     EXPECT_THAT(decoding_error(std::span(jpeg).first(length)), HasSubstr("picture 7: the JPEG"));
