@@ -29,7 +29,7 @@ struct Surface {
   }
   [[nodiscard]] Bsdf seen_from(const Vec3& to_viewer, bool inside = false) {
     point.material = &material;
-    return Bsdf(point, to_viewer, inside);
+    return {point, to_viewer, inside};
   }
 };
 

@@ -69,7 +69,8 @@ class SphereCells {
       for (int j = 0; j < phis_; ++j) {
         double sum = 0.0;
         for (int k = 0; k < steps * steps; ++k) {
-          const double s = (i + (k / steps + 0.5) / steps) / thetas_;
+          const int row = k / steps;
+          const double s = (i + (row + 0.5) / steps) / thetas_;
           const double t = (j + (k % steps + 0.5) / steps) / phis_;
           const double z = lowest_z_ + s * (1.0 - lowest_z_);
           const double r = std::sqrt(std::max(0.0, 1.0 - z * z));
