@@ -23,6 +23,12 @@ constexpr std::array k_entries = {
 
 }  // namespace
 
+AcceleratorStats::AcceleratorStats(const World& world) : instances(world.instances.size()) {
+  for (const Object& object : world.objects) {
+    for (const Geometry& geometry : object.geometries) primitives += geometry.primitive_count();
+  }
+}
+
 std::span<const std::string_view> accelerator_names() {
   static constexpr auto k_names = [] {
     std::array<std::string_view, k_entries.size()> names;

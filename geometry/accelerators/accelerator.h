@@ -17,6 +17,9 @@
 namespace lume::geometry {
 
 struct AcceleratorStats {
+  /// Counts what is in the world; the rest is the accelerator's to fill in.
+  explicit AcceleratorStats(const World& world);
+
   double build_seconds = 0.0;
   std::size_t memory_bytes = 0;
   std::size_t primitives = 0;  ///< in all objects, each counted once

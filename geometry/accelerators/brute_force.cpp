@@ -33,16 +33,7 @@ class BruteForce final : public Accelerator {
     return found;
   }
 
-  AcceleratorStats stats() const override {
-    AcceleratorStats stats;
-    stats.instances = world_.instances.size();
-    for (const Object& object : world_.objects) {
-      for (const Geometry& geometry : object.geometries) {
-        stats.primitives += geometry.primitive_count();
-      }
-    }
-    return stats;
-  }
+  AcceleratorStats stats() const override { return AcceleratorStats(world_); }
 
  private:
   /// Calls visit(hit, t) for every primitive along the ray until it returns false.

@@ -72,15 +72,9 @@ class Embree final : public Accelerator {
   }
 
   AcceleratorStats stats() const override {
-    AcceleratorStats stats;
+    AcceleratorStats stats(world_);
     stats.build_seconds = build_seconds_;
     stats.memory_bytes = static_cast<std::size_t>(memory_bytes_.load());
-    stats.instances = world_.instances.size();
-    for (const Object& object : world_.objects) {
-      for (const Geometry& geometry : object.geometries) {
-        stats.primitives += geometry.primitive_count();
-      }
-    }
     return stats;
   }
 
@@ -191,8 +185,8 @@ class Embree final : public Accelerator {
   }
 
   void commit(RTCScene scene) const {
-    rtcCommitScene(
-        scene);  // on as many threads as ThreadLimit allows, to the same tree for any number
+    // On as many threads as ThreadLimit allows, to the same tree for any number.
+    rtcCommitScene(scene);
     const RTCError error = rtcGetDeviceError(device_);
     if (error == RTC_ERROR_OUT_OF_MEMORY) throw std::runtime_error("Embree is out of memory");
     if (error != RTC_ERROR_NONE) {

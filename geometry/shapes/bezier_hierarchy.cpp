@@ -7,19 +7,9 @@
 namespace lume::geometry {
 namespace {
 
-DBounds empty_box() {
-  constexpr double k_infinity = std::numeric_limits<double>::infinity();
-  return {DVec3(k_infinity), DVec3(-k_infinity)};
-}
-
-void add(DBounds& box, const DBounds& other) {
-  box.lower = glm::min(box.lower, other.lower);
-  box.upper = glm::max(box.upper, other.upper);
-}
-
 /// Half the area of the surface; 0 of an empty box.
 double half_area(const DBounds& box) {
-  const DVec3 size = glm::max(box.upper - box.lower, DVec3(0.0));
+  const DVec3 size = box.size();
   return size.x * size.y + size.y * size.z + size.z * size.x;
 }
 
@@ -30,18 +20,18 @@ constexpr int k_bins = 16;
 std::pair<double, int> best_plane(const std::array<DBounds, k_bins>& boxes,
                                   const std::array<std::size_t, k_bins>& counts) {
   std::array<double, k_bins> cost_below{};
-  DBounds box = empty_box();
+  DBounds box;
   std::size_t count = 0;
   for (int i = 0; i + 1 < k_bins; ++i) {
-    add(box, boxes[i]);
+    box.add(boxes[i]);
     count += counts[i];
     cost_below[i + 1] = half_area(box) * static_cast<double>(count);
   }
   std::pair<double, int> best{std::numeric_limits<double>::infinity(), 0};
-  box = empty_box();
+  box = {};
   count = 0;
   for (int i = k_bins - 1; i > 0; --i) {
-    add(box, boxes[i]);
+    box.add(boxes[i]);
     count += counts[i];
     const double cost = cost_below[i] + half_area(box) * static_cast<double>(count);
     if (cost < best.first) best = {cost, i};
@@ -55,7 +45,7 @@ BezierHierarchy::BezierHierarchy(const std::vector<DBounds>& boxes) {
   std::vector<Item> items;
   items.reserve(boxes.size());
   for (const DBounds& box : boxes) {
-    items.push_back({box, 0.5 * (box.lower + box.upper), static_cast<std::uint32_t>(items.size())});
+    items.push_back({box, box.center(), static_cast<std::uint32_t>(items.size())});
   }
   if (items.empty()) return;
   nodes_.reserve(items.size() - 1);
@@ -69,8 +59,8 @@ std::uint32_t BezierHierarchy::build(std::vector<Item>& items, Range range, int 
   const auto index = static_cast<std::uint32_t>(nodes_.size());
   nodes_.emplace_back();
   for (int side = 0; side < 2; ++side) {
-    DBounds box = empty_box();
-    for (std::size_t i = halves[side].first; i < halves[side].second; ++i) add(box, items[i].box);
+    DBounds box;
+    for (std::size_t i = halves[side].first; i < halves[side].second; ++i) box.add(items[i].box);
     for (int axis = 0; axis < 3; ++axis) {
       nodes_[index].lower[axis][side] = box.lower[axis];
       nodes_[index].upper[axis][side] = box.upper[axis];
@@ -82,11 +72,9 @@ std::uint32_t BezierHierarchy::build(std::vector<Item>& items, Range range, int 
 }
 
 std::size_t BezierHierarchy::split(std::vector<Item>& items, Range range, int depth) {
-  DBounds middles = empty_box();
-  for (std::size_t i = range.first; i < range.second; ++i) {
-    add(middles, {items[i].middle, items[i].middle});
-  }
-  const DVec3 size = middles.upper - middles.lower;
+  DBounds middles;
+  for (std::size_t i = range.first; i < range.second; ++i) middles.add(items[i].middle);
+  const DVec3 size = middles.size();
   const auto bin_of = [&](const Item& item, int axis) {
     const double place = (item.middle[axis] - middles.lower[axis]) / size[axis];
     return std::min(static_cast<int>(place * k_bins), k_bins - 1);
@@ -98,11 +86,10 @@ std::size_t BezierHierarchy::split(std::vector<Item>& items, Range range, int de
   for (int axis = 0; axis < 3 && depth < k_max_depth / 2; ++axis) {
     if (!(size[axis] > 0.0)) continue;
     std::array<DBounds, k_bins> boxes{};
-    boxes.fill(empty_box());
     std::array<std::size_t, k_bins> counts{};
     for (std::size_t i = range.first; i < range.second; ++i) {
       const int bin = bin_of(items[i], axis);
-      add(boxes[bin], items[i].box);
+      boxes[bin].add(items[i].box);
       ++counts[bin];
     }
     const auto [cost, bin] = best_plane(boxes, counts);

@@ -2,6 +2,7 @@
 // One bicubic Bezier patch: points and derivatives of it, and its parts, which are patches again.
 #pragma once
 
+#include "geometry/bounds.h"
 #include "geometry/shapes/shape_point.h"
 
 #include <array>
@@ -13,6 +14,14 @@ namespace lume::geometry {
 template <typename Point>
 using BezierNet = std::array<Point, 16>;
 using BezierPatch = BezierNet<DVec3>;
+
+/// The box around all control points, and so around the patch.
+template <typename Point>
+[[nodiscard]] BoundsOf<Point> box_around(const BezierNet<Point>& net) {
+  BoundsOf<Point> box;
+  for (const Point& p : net) box.add(p);
+  return box;
+}
 
 /// A rectangle of a patch's parameters.
 struct BezierRect {

@@ -7,9 +7,6 @@
 namespace lume::geometry {
 namespace {
 
-/// What a crossing may lie outside of a piece's parameters, so that it is not lost between two.
-constexpr double k_overlap = 1e-9;
-
 /// Widest absolute values of the components.
 void widen(DVec3& bounds, const DVec3& v) { bounds = glm::max(bounds, glm::abs(v)); }
 
@@ -64,20 +61,20 @@ bool BezierPiece::is_flat() const {
 }
 
 void meet_piece(const BezierPatch& patch, const BezierPiece& piece, BezierQuery& query) {
-  const NearLine& line = query.line;
-  const double approach = dot(piece.normal, line.direction);
+  const DVec3& d = query.ray.direction;
+  const double approach = dot(piece.normal, d);
   if (approach == 0.0) {
     meet_bent(patch, piece.patch, piece.rect, query);
     return;
   }
   // Where the line meets the plane of the parallelogram, and how far it moves sideways there.
-  const DVec3 away = line.origin - piece.middle;
+  const DVec3 away = query.start.origin - piece.middle;
   const double s = -dot(piece.normal, away) / approach;
-  const DVec3 on_plane = away + s * line.direction;
+  const DVec3 on_plane = away + s * d;
   const double x = dot(piece.to_x, on_plane);
   const double y = dot(piece.to_y, on_plane);
-  const double slope_x = std::abs(dot(piece.to_x, line.direction) / approach);
-  const double slope_y = std::abs(dot(piece.to_y, line.direction) / approach);
+  const double slope_x = std::abs(dot(piece.to_x, d) / approach);
+  const double slope_y = std::abs(dot(piece.to_y, d) / approach);
   if (!(std::abs(x) <= 0.5 + piece.rest.x + slope_x * piece.rest.z) ||
       !(std::abs(y) <= 0.5 + piece.rest.y + slope_y * piece.rest.z)) {
     return;

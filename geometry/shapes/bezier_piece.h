@@ -35,7 +35,7 @@ struct BezierPiece {
 /// A line on its way through a surface, and the closest crossing so far.
 struct BezierQuery {
   const ObjectRay& ray;
-  NearLine line;
+  LineStart start;
   double rounding = 0.0;  ///< of the surface's points (metres)
   bool any = false;       ///< whether any crossing will do
   Crossing closest{.t = std::numeric_limits<double>::infinity()};
@@ -45,6 +45,8 @@ struct BezierQuery {
 /// The departure of a map's derivatives up to which Newton's method is sure to converge, see
 /// bezier_search.cpp.
 inline constexpr double k_regular = 0.3;
+/// What a crossing may lie outside of a piece's parameters, so that it is not lost between two.
+inline constexpr double k_overlap = 1e-9;
 
 /// Looks for the crossings of the line with one piece.
 void meet_piece(const BezierPatch& patch, const BezierPiece& piece, BezierQuery& query);

@@ -19,9 +19,9 @@ using Net2 = BezierNet<DVec2>;
 
 double cross2(const DVec2& a, const DVec2& b) { return a.x * b.y - a.y * b.x; }
 
-/// Takes a crossing, the line's s = t - shift, if it is on the ray and the closest so far.
+/// Takes a crossing, the line's s = t - start.t, if it is on the ray and the closest so far.
 void report(BezierQuery& query, double s, double u, double v, std::uint32_t patch) {
-  const double t = query.line.shift + s;
+  const double t = query.start.t + s;
   if (!query.ray.contains(t) || !(t < query.closest.t || !query.found)) return;
   query.closest = {t, std::clamp(u, 0.0, 1.0), std::clamp(v, 0.0, 1.0), patch};
   query.found = true;
@@ -82,11 +82,11 @@ class Search {
  public:
   Search(const BezierPatch& patch, std::uint32_t index, const BezierRect& rect, BezierQuery& query)
       : patch_(patch), index_(index), whole_(rect), query_(query) {
-    const DVec3& d = query.line.direction;
+    const DVec3& d = query.ray.direction;
     const BezierPoint middle =
         evaluate(patch, rect.u + 0.5 * rect.width, rect.v + 0.5 * rect.height);
-    const DVec3 away = middle.position - query.line.origin;
-    const DVec3 nearest = query.line.origin + dot(away, d) / dot(d, d) * d;
+    const DVec3 away = middle.position - query.start.origin;
+    const DVec3 nearest = query.start.origin + dot(away, d) / dot(d, d) * d;
     const DVec3 size = glm::abs(d);
     DVec3 axis(0.0);
     axis[size.x < size.y ? (size.x < size.z ? 0 : 2) : (size.y < size.z ? 1 : 2)] = 1.0;
@@ -98,13 +98,7 @@ class Search {
       net[k] = {dot(p, x), dot(p, y)};
     }
     net_ = part(net, rect);
-    DVec2 lower = net_[0];
-    DVec2 upper = net_[0];
-    for (const DVec2& p : net_) {
-      lower = glm::min(lower, p);
-      upper = glm::max(upper, p);
-    }
-    const DVec2 extent = upper - lower;
+    const DVec2 extent = box_around(net_).size();
     size_ = std::max(extent.x, extent.y);
   }
 
@@ -119,12 +113,7 @@ class Search {
   void visit(const Net2& net, const BezierRect& rect) {
     if (steps_left_-- <= 0 || (query_.found && query_.any)) return;
     const double pad = query_.rounding;
-    DVec2 lower = net[0];
-    DVec2 upper = net[0];
-    for (const DVec2& p : net) {
-      lower = glm::min(lower, p);
-      upper = glm::max(upper, p);
-    }
+    const auto [lower, upper] = box_around(net);
     if (lower.x > pad || lower.y > pad || upper.x < -pad || upper.y < -pad) return;
     const MapBounds shape(net);
     const double image_size = std::max(upper.x - lower.x, upper.y - lower.y);
@@ -168,8 +157,8 @@ class Search {
 
   /// A crossing that Newton's method cannot find: the line touches the surface there.
   void touch(double u, double v) {
-    const DVec3& d = query_.line.direction;
-    const DVec3 p = evaluate(patch_, u, v).position - query_.line.origin;
+    const DVec3& d = query_.ray.direction;
+    const DVec3 p = evaluate(patch_, u, v).position - query_.start.origin;
     report(query_, dot(p, d) / dot(d, d), u, v, index_);
   }
 
@@ -188,13 +177,12 @@ void meet_regular(const BezierPatch& patch, std::uint32_t patch_index, const Bez
                   double u, double v, BezierQuery& query) {
   constexpr int k_max_steps = 30;
   constexpr double k_last_step = 1e-6;  // the step after it would be about the square of it
-  constexpr double k_overlap = 1e-9;
   constexpr double k_most = 1e-3;
-  const DVec3& d = query.line.direction;
+  const DVec3& d = query.ray.direction;
   for (int step = 0; step < k_max_steps; ++step) {
     // S + S_u du + S_v dv = o + s d by Cramer's rule.
     const BezierPoint point = evaluate(patch, u, v);
-    const DVec3 gap = point.position - query.line.origin;
+    const DVec3 gap = point.position - query.start.origin;
     const DVec3 across_u = cross(point.dv, d);
     const DVec3 across_v = cross(d, point.du);
     const double inverse = 1.0 / dot(point.du, across_u);

@@ -9,15 +9,6 @@ namespace {
 
 constexpr int k_max_cuts = 8;  ///< of a patch, so it has at most 256 pieces
 
-DBounds box_around(const BezierPatch& net) {
-  DBounds box{net[0], net[0]};
-  for (const DVec3& p : net) {
-    box.lower = glm::min(box.lower, p);
-    box.upper = glm::max(box.upper, p);
-  }
-  return box;
-}
-
 /// Whether a patch is more than a point or a piece of a straight line.
 bool spans_area(const BezierPatch& net, double rounding) {
   DVec3 farthest(0.0);
@@ -100,17 +91,13 @@ Slabs slabs(const BezierHierarchy::Node& node, const DVec3& origin, const DVec3&
 
 BezierSurface::BezierSurface(std::vector<BezierPatch> patches) : patches_(std::move(patches)) {
   if (patches_.empty()) return;
-  DBounds all = box_around(patches_[0]);
-  for (const BezierPatch& patch : patches_) {
-    const DBounds box = box_around(patch);
-    all.lower = glm::min(all.lower, box.lower);
-    all.upper = glm::max(all.upper, box.upper);
-  }
-  middle_ = 0.5 * all.lower + 0.5 * all.upper;
-  const double size = largest(all.upper - all.lower);
+  DBounds all;
+  for (const BezierPatch& patch : patches_) all.add(box_around(patch));
+  middle_ = all.center();
+  const double size = largest(all.size());
   const double far = largest(glm::max(glm::abs(all.lower), glm::abs(all.upper)));
   rounding_ = 4.0 * std::numeric_limits<double>::epsilon() * std::max(size, far);
-  radius_ = 0.5 * length(all.upper - all.lower) + rounding_;
+  radius_ = all.radius() + rounding_;
 
   std::vector<DBounds> boxes;
   for (std::size_t i = 0; i < patches_.size(); ++i) {
@@ -137,14 +124,14 @@ void BezierSurface::add_pieces(const BezierPatch& net, std::uint32_t patch, cons
 }
 
 std::optional<Crossing> BezierSurface::find(const ObjectRay& ray, bool any) const {
-  const auto line = NearLine::make(ray, middle_, radius_);
-  if (!line || hierarchy_.root() == BezierHierarchy::k_none) return std::nullopt;
-  BezierQuery query{.ray = ray, .line = *line, .rounding = rounding_, .any = any};
-  const DVec3 inverse = inverse_of(line->direction);
+  const auto start = start_within(ray, middle_, radius_);
+  if (!start || hierarchy_.root() == BezierHierarchy::k_none) return std::nullopt;
+  BezierQuery query{.ray = ray, .start = *start, .rounding = rounding_, .any = any};
+  const DVec3 inverse = inverse_of(ray.direction);
   // Loose by rounding: report() has the last word on the ray's ends.
-  const double looseness = 4.0 * std::numeric_limits<double>::epsilon() * std::abs(line->shift);
-  const double t_min = ray.t_min - line->shift - looseness;
-  double t_max = ray.t_max - line->shift + looseness;
+  const double looseness = 4.0 * std::numeric_limits<double>::epsilon() * std::abs(start->t);
+  const double t_min = ray.t_min - start->t - looseness;
+  double t_max = ray.t_max - start->t + looseness;
 
   struct Entry {
     std::uint32_t child;
@@ -163,11 +150,11 @@ std::optional<Crossing> BezierSurface::find(const ObjectRay& ray, bool any) cons
       meet_piece(patches_[piece.patch], piece, query);
       if (!query.found) continue;
       if (query.any) break;
-      t_max = query.closest.t - line->shift + looseness;
+      t_max = query.closest.t - start->t + looseness;
       continue;
     }
     const BezierHierarchy::Node& node = hierarchy_.nodes()[entry.child];
-    const Slabs hit = slabs(node, line->origin, inverse, t_min, t_max);
+    const Slabs hit = slabs(node, start->origin, inverse, t_min, t_max);
     const int near = hit.enter[1] < hit.enter[0] ? 1 : 0;
     const int far = 1 - near;
     if (hit.enter[far] <= hit.leave[far]) stack[count++] = {node.child[far], hit.enter[far]};

@@ -17,11 +17,7 @@ struct Box {
 
   [[nodiscard]] std::optional<Crossing> intersect(const ObjectRay& ray) const {
     if (std::isnan(dot(ray.origin, ray.direction))) return std::nullopt;
-    const auto axis_slab = [&](int axis) {
-      return slab(ray.origin, ray.direction, axis, -half_size[axis], half_size[axis],
-                  2 * static_cast<std::uint32_t>(axis));
-    };
-    return first_end(intersection(intersection(axis_slab(0), axis_slab(1)), axis_slab(2)), ray);
+    return first_end(box_span(ray.origin, ray.direction, {-half_size, half_size}, 0), ray);
   }
 
   /// Crossing::part is the face; the image covers each of the six.

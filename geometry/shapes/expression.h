@@ -87,6 +87,12 @@ class Expression {
   /// these.
   template <class T>
   [[nodiscard]] T evaluate(const T& x, const T& y, const T& z) const;
+  /// The value and its derivatives along x, y and z.
+  [[nodiscard]] Dual<double, 3> with_gradient(double x, double y, double z) const {
+    using Number = Dual<double, 3>;
+    return evaluate(Number(x, {1.0, 0.0, 0.0}), Number(y, {0.0, 1.0, 0.0}),
+                    Number(z, {0.0, 0.0, 1.0}));
+  }
 
  private:
   std::vector<Operation> program_;

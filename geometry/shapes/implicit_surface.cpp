@@ -3,6 +3,7 @@
 
 #include "geometry/shapes/cylindrical_point.h"
 #include "geometry/shapes/root_isolator.h"
+#include "geometry/shapes/span.h"
 
 #include <algorithm>
 #include <array>
@@ -44,12 +45,6 @@ struct AlongLine {
   }
 };
 
-Dual<double, 3> with_gradient(const Expression& f, const DVec3& p) {
-  using Number = Dual<double, 3>;
-  return f.evaluate(Number(p.x, {1.0, 0.0, 0.0}), Number(p.y, {0.0, 1.0, 0.0}),
-                    Number(p.z, {0.0, 0.0, 1.0}));
-}
-
 /// False if interval arithmetic proves that f has no root in the box: by its value, or by the mean
 /// value theorem, f(p) in f(m) + grad f(box) . (p - m). Along an axis on which f is monotone the
 /// latter also says how much of the box can be cut off (a step of the interval Newton method).
@@ -82,69 +77,39 @@ bool may_have_root(const Expression& f, DVec3& lower, DVec3& upper) {
   return true;
 }
 
-/// The part of a line that is inside a box, whatever the ends of the ray.
-struct Stretch {
-  double begin;
-  double end;
-};
-std::optional<Stretch> clip(const ObjectRay& ray, const DBounds& box) {
-  Stretch span{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-  for (int axis = 0; axis < 3; ++axis) {
-    const double o = ray.origin[axis];
-    const double d = ray.direction[axis];
-    if (d == 0.0) {
-      if (!(o >= box.lower[axis] && o <= box.upper[axis])) return std::nullopt;
-      continue;
-    }
-    const double to_lower = (box.lower[axis] - o) / d;
-    const double to_upper = (box.upper[axis] - o) / d;
-    span.begin = std::max(span.begin, std::min(to_lower, to_upper));
-    span.end = std::min(span.end, std::max(to_lower, to_upper));
-    if (std::isnan(to_lower + to_upper)) return std::nullopt;
-  }
-  // Not so of a ray without direction either.
-  if (!(span.begin < span.end && std::isfinite(span.end - span.begin))) return std::nullopt;
-  return span;
-}
-
 DBounds padded(const DBounds& box, const DVec3& by) { return {box.lower - by, box.upper + by}; }
-
-bool is_inside(const DVec3& p, const DBounds& box) {
-  return p.x >= box.lower.x && p.y >= box.lower.y && p.z >= box.lower.z && p.x <= box.upper.x &&
-         p.y <= box.upper.y && p.z <= box.upper.z;
-}
 
 }  // namespace
 
 ImplicitSurface::ImplicitSurface(Expression f, const DVec3& lower, const DVec3& upper)
-    : f_(std::move(f)), lower_(lower), upper_(upper) {
-  const auto tight = tight_box(
-      {lower, upper}, [this](DVec3& low, DVec3& high) { return may_have_root(f_, low, high); });
-  const DVec3 middle = 0.5 * lower + 0.5 * upper;
-  const DBounds box = padded(tight.value_or(DBounds{middle, middle}), k_padding * (upper - lower));
-  tight_lower_ = box.lower;
-  tight_upper_ = box.upper;
+    : f_(std::move(f)), box_{lower, upper} {
+  const auto tight =
+      tight_box(box_, [this](DVec3& low, DVec3& high) { return may_have_root(f_, low, high); });
+  const DVec3 middle = box_.center();
+  tight_ = padded(tight.value_or(DBounds{middle, middle}), k_padding * box_.size());
   is_empty_ = !tight;
 }
 
 double ImplicitSurface::support(const DVec3& direction) const {
-  const DVec3 farthest = max(direction * tight_lower_, direction * tight_upper_);
+  const DVec3 farthest = max(direction * tight_.lower, direction * tight_.upper);
   return farthest.x + farthest.y + farthest.z;
 }
 
 std::optional<Crossing> ImplicitSurface::intersect(const ObjectRay& ray) const {
   // Roots are isolated in all of the box, not in the ray's part of it: so they are the same for all
   // rays along a line, and what follows a crossing is found behind it.
-  const auto span = clip(ray, {tight_lower_, tight_upper_});
-  if (is_empty_ || !span || !(span->begin <= ray.t_max && span->end >= ray.t_min)) {
+  const Span span = box_span(ray.origin, ray.direction, tight_, 0);
+  const double width = span.leave - span.enter;
+  // Infinite for a ray without direction; not a number if the ray has such.
+  const bool is_stretch = width > 0.0 && std::isfinite(width + dot(ray.origin, ray.direction));
+  if (is_empty_ || !is_stretch || !(span.enter <= ray.t_max && span.leave >= ray.t_min)) {
     return std::nullopt;
   }
-  const double width = span->end - span->begin;
-  const auto to_t = [&](double s) { return span->begin + s * width; };
-  const AlongLine line{f_, ray.at(span->begin), width * ray.direction};
-  const DBounds box = padded({lower_, upper_}, k_tolerance * (upper_ - lower_));
+  const auto to_t = [&](double s) { return span.enter + s * width; };
+  const AlongLine line{f_, ray.at(span.enter), width * ray.direction};
+  const DBounds box = padded(box_, k_tolerance * box_.size());
   const auto accept = [&](double s) {
-    return ray.contains(to_t(s)) && is_inside(line.start + s * line.along, box);
+    return ray.contains(to_t(s)) && box.contains(line.start + s * line.along);
   };
   const auto skip = [&](double begin, double end) {
     return to_t(end) < ray.t_min || to_t(begin) > ray.t_max;
@@ -157,9 +122,9 @@ std::optional<Crossing> ImplicitSurface::intersect(const ObjectRay& ray) const {
 ShapePoint ImplicitSurface::point(const DVec3& near, const Crossing& /*crossing*/) const {
   DVec3 position = near;
   DVec3 gradient(0.0, 0.0, 0.0);
-  const double longest_step = 1e-3 * length(upper_ - lower_);
+  const double longest_step = 1e-3 * length(box_.size());
   for (int step = 0; step < 3; ++step) {
-    const auto f = with_gradient(f_, position);
+    const auto f = f_.with_gradient(position.x, position.y, position.z);
     const DVec3 slope(f.slope[0], f.slope[1], f.slope[2]);
     const double steepness = dot(slope, slope);
     if (!(steepness > 0.0 && std::isfinite(steepness))) break;  // a singular point
@@ -168,7 +133,7 @@ ShapePoint ImplicitSurface::point(const DVec3& near, const Crossing& /*crossing*
     if (step == 2 || !(length(move) < longest_step)) break;
     position += move;
   }
-  return cylindrical_point(position, gradient, lower_.y, upper_.y);
+  return cylindrical_point(position, gradient, box_.lower.y, box_.upper.y);
 }
 
 }  // namespace lume::geometry

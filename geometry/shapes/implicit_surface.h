@@ -29,10 +29,8 @@ class ImplicitSurface {
 
  private:
   Expression f_;
-  DVec3 lower_;  ///< of the box that cuts the surface
-  DVec3 upper_;
-  DVec3 tight_lower_{0.0};  ///< around what is left of the surface, and a little more
-  DVec3 tight_upper_{0.0};
+  DBounds box_;    ///< that cuts the surface
+  DBounds tight_;  ///< around what is left of the surface, and a little more
   bool is_empty_ = false;
 };
 

@@ -5,18 +5,13 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace lume::geometry {
 namespace {
 
-/// A polynomial's value and slope, or value and the size of its terms.
-struct Value {
-  double value = 0.0;
-  double other = 0.0;
-};
-
 template <std::size_t size>
-Value value_and_slope(const std::array<double, size>& c, double t) {
+std::pair<double, double> value_and_slope(const std::array<double, size>& c, double t) {
   double value = c[size - 1];
   double slope = 0.0;
   for (std::size_t i = size - 1; i-- > 0;) {

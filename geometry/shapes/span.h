@@ -4,6 +4,7 @@
 // solid meet.
 #pragma once
 
+#include "geometry/bounds.h"
 #include "geometry/crossing.h"
 
 #include <cmath>
@@ -87,6 +88,17 @@ inline constexpr Span k_no_span{std::numeric_limits<double>::infinity(),
   const double t_upper = (upper - origin[axis]) / direction[axis];
   if (direction[axis] > 0.0) return {t_lower, t_upper, lower_part, lower_part + 1};
   return {t_upper, t_lower, lower_part + 1, lower_part};
+}
+
+/// The stretch inside a box, for lines of which no number is NaN. Its ends are of the parts
+/// `first_part` plus the face (face.h).
+[[nodiscard]] inline Span box_span(const DVec3& origin, const DVec3& direction, const DBounds& box,
+                                   std::uint32_t first_part) {
+  const auto axis_slab = [&](int axis) {
+    return slab(origin, direction, axis, box.lower[axis], box.upper[axis],
+                first_part + 2 * static_cast<std::uint32_t>(axis));
+  };
+  return intersection(intersection(axis_slab(0), axis_slab(1)), axis_slab(2));
 }
 
 }  // namespace lume::geometry

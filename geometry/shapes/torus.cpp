@@ -37,25 +37,25 @@ double Torus::support(const DVec3& direction) const {
 
 std::optional<Crossing> Torus::intersect(const ObjectRay& ray) const {
   const double size = major_radius + minor_radius;
-  const auto line = NearLine::make(ray, DVec3(0.0), (1.0 + k_slack) * size);
-  if (!line) return std::nullopt;
+  const auto start = start_within(ray, DVec3(0.0), (1.0 + k_slack) * size);
+  if (!start) return std::nullopt;
 
   // In units of the whole torus.
   const double unit = size / length(ray.direction);
-  const DVec3 o = line->origin / size;
+  const DVec3 o = start->origin / size;
   const DVec3 d = normalize(ray.direction);
   const double major = major_radius / size;
   const double minor = minor_radius / size;
 
   const double half = std::sqrt(std::max(0.0, 1.0 - dot(o, o))) + std::sqrt(k_slack);
   const Span in_ball{-half, half};
-  const Span in_ray{(ray.t_min - line->shift) / unit, (ray.t_max - line->shift) / unit};
+  const Span in_ray{(ray.t_min - start->t) / unit, (ray.t_max - start->t) / unit};
   const Span in_slab = slab(o, d, 1, -minor - k_slack, minor + k_slack, 0);
   const Span span = intersection(intersection(in_ball, in_ray), in_slab);
   if (span.is_empty()) return std::nullopt;
 
   for (const double s : quartic_roots(quartic(o, d, major, minor), span.enter, span.leave)) {
-    const double t = line->shift + s * unit;
+    const double t = start->t + s * unit;
     if (ray.contains(t)) return Crossing{.t = t};
   }
   return std::nullopt;

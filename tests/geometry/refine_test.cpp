@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/refine.h"
 
+#include "tests/geometry/shapes/high_precision.h"
 #include "tests/support/random.h"
 #include "tests/support/worlds.h"
 
@@ -16,24 +17,16 @@ using test::Random;
 
 /// Cramer's rule on o + t d = a + u (b - a) + v (c - a), in 113-bit arithmetic.
 struct Oracle {
-  __extension__ using Real = __float128;
-  using Vector = std::array<Real, 3>;
-
-  static Vector make(const DVec3& v) { return {v.x, v.y, v.z}; }
-  static Vector subtract(const Vector& a, const Vector& b) {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-  }
-  static Real triple(const Vector& a, const Vector& b, const Vector& c) {
-    return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
-           a[2] * (b[0] * c[1] - b[1] * c[0]);
-  }
-
   Oracle(const DVec3& origin, const DVec3& direction, const DVec3& a, const DVec3& b,
          const DVec3& c) {
-    const Vector minus_d = subtract({0, 0, 0}, make(direction));
-    const Vector e1 = subtract(make(b), make(a));
-    const Vector e2 = subtract(make(c), make(a));
-    const Vector s = subtract(make(origin), make(a));
+    using Vector = test::RealVector;
+    const auto triple = [](const Vector& x, const Vector& y, const Vector& z) {
+      return dot(x, cross(y, z));
+    };
+    const Vector minus_d = Vector() - Vector(direction);
+    const Vector e1 = Vector(b) - Vector(a);
+    const Vector e2 = Vector(c) - Vector(a);
+    const Vector s = Vector(origin) - Vector(a);
     determinant = triple(minus_d, e1, e2);
     if (determinant == 0) return;
     t = static_cast<double>(triple(s, e1, e2) / determinant);
@@ -41,7 +34,7 @@ struct Oracle {
     v = static_cast<double>(triple(minus_d, e1, s) / determinant);
   }
 
-  Real determinant = 0;
+  test::Real determinant = 0;
   double t = 0.0;
   double u = 0.0;
   double v = 0.0;

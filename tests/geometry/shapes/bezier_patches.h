@@ -13,10 +13,6 @@ namespace lume::test {
 using geometry::BezierPatch;
 using geometry::DVec3;
 
-inline double angle_between(const DVec3& a, const DVec3& b) {
-  return std::atan2(geometry::length(geometry::cross(a, b)), geometry::dot(a, b));
-}
-
 /// The unit square in the plane z = 0, with u along x and v along y.
 inline BezierPatch flat_patch() {
   BezierPatch patch;

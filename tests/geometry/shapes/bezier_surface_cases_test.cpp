@@ -4,6 +4,7 @@
 #include "geometry/shapes/bezier_surface.h"
 
 #include "tests/geometry/shapes/bezier_patches.h"
+#include "tests/geometry/shapes/surface_checks.h"
 
 #include <gtest/gtest.h>
 
@@ -199,26 +200,7 @@ TEST(BezierSurface, Interval_LimitsTheCrossings) {
 }
 
 TEST(BezierSurface, RaysThatAreNone_HitNothing) {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  const double infinity = std::numeric_limits<double>::infinity();
-  const BezierSurface surface(closed_surface(1));
-  const DVec3 o(0.0, 0.0, 2.0);
-  const DVec3 d(0.0, 0.0, -1.0);
-  ASSERT_TRUE(surface.intersect({o, d}));
-  for (const double bad : {nan, infinity, -infinity}) {
-    for (int axis = 0; axis < 3; ++axis) {
-      DVec3 broken = o;
-      broken[axis] = bad;
-      EXPECT_FALSE(surface.intersect({broken, d}));
-      broken = d;
-      broken[axis] = bad;
-      EXPECT_FALSE(surface.intersect({o, broken}));
-    }
-  }
-  EXPECT_FALSE(surface.intersect({o, DVec3(0.0)}));
-  EXPECT_FALSE(surface.intersect({o, d, nan, 10.0}));
-  EXPECT_FALSE(surface.intersect({o, d, 0.0, nan}));
-  EXPECT_FALSE(surface.intersect({o, d, 5.0, 1.0}));
+  test::expect_that_broken_rays_hit_nothing(BezierSurface(closed_surface(1)));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "tests/geometry/shapes/bezier_oracle.h"
 #include "tests/geometry/shapes/bezier_patches.h"
+#include "tests/geometry/shapes/surface_checks.h"
 
 #include <gtest/gtest.h>
 

@@ -13,12 +13,6 @@ namespace lume::geometry {
 namespace {
 
 using test::Random;
-using Gradient = Dual<double, 3>;
-
-Gradient gradient_of(const Expression& f, double x, double y, double z) {
-  return f.evaluate(Gradient(x, {1.0, 0.0, 0.0}), Gradient(y, {0.0, 1.0, 0.0}),
-                    Gradient(z, {0.0, 0.0, 1.0}));
-}
 
 /// A random formula.
 std::string any_term(Random& random, int depth) {
@@ -52,7 +46,7 @@ void expect_inclusion(const Expression& f, Random& random, const std::string& te
   const auto whole = f.evaluate(Number(Interval(lower.x, lower.x + size.x), {Interval(1.0)}),
                                 Number(Interval(lower.y, lower.y + size.y), {Interval(-2.0)}),
                                 Number(Interval(lower.z, lower.z + size.z), {Interval(0.5)}));
-  const Gradient at_point = gradient_of(f, p.x, p.y, p.z);
+  const auto at_point = f.with_gradient(p.x, p.y, p.z);
   if (!std::isfinite(at_point.value)) return;
   if (whole.value.is_empty()) {  // 1 / (1 / 0) is 0 for doubles and nothing for intervals
     EXPECT_NE(text.find_first_of("/^"), std::string::npos) << text;

@@ -14,15 +14,9 @@ namespace lume::geometry {
 namespace {
 
 using test::Random;
-using Gradient = Dual<double, 3>;
 
 double value_of(const std::string& text, double x = 0.0, double y = 0.0, double z = 0.0) {
   return Expression(text).evaluate(x, y, z);
-}
-
-Gradient gradient_of(const Expression& f, double x, double y, double z) {
-  return f.evaluate(Gradient(x, {1.0, 0.0, 0.0}), Gradient(y, {0.0, 1.0, 0.0}),
-                    Gradient(z, {0.0, 0.0, 1.0}));
 }
 
 struct Fault {
@@ -218,7 +212,7 @@ TEST(Expression, Gradient_IsThatOfTheClosedForm) {
     const Expression f(k.text);
     for (int i = 0; i < 1000; ++i) {
       const DVec3 p = DVec3(random.cube(1.4f)) + 1.5;
-      const Gradient found = gradient_of(f, p.x, p.y, p.z);
+      const auto found = f.with_gradient(p.x, p.y, p.z);
       const DVec3 expected = k.gradient(p.x, p.y, p.z);
       EXPECT_EQ(found.value, f.evaluate(p.x, p.y, p.z));
       for (std::size_t axis = 0; axis < 3; ++axis) {

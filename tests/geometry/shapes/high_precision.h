@@ -47,6 +47,10 @@ struct RealVector {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
+[[nodiscard]] inline RealVector cross(const RealVector& a, const RealVector& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
 struct RealRay {
   explicit RealRay(const geometry::ObjectRay& ray) : origin(ray.origin), direction(ray.direction) {}
   [[nodiscard]] RealVector at(Real t) const { return origin + t * direction; }

@@ -189,6 +189,8 @@ TEST(ImplicitSurface, Box_CutsTheSurface) {
   const auto from_front = all_crossings(surface, ray_of({0.1, 0.2, 5.0}, {0.0, 0.0, -1.0}));
   EXPECT_EQ(from_front.size(), 1U);
   EXPECT_TRUE(all_crossings(surface, ray_of({0.1, 0.6, 5.0}, {0.0, 0.0, -1.0})).empty());
+  // So little aside that the quotients of a slab overflow.
+  EXPECT_EQ(all_crossings(surface, ray_of({0.1, 0.2, 5.0}, {1e-310, 0.0, -1.0})).size(), 1U);
   // In the very side of the box a surface is still in the box.
   const ImplicitSurface floor(Expression("y"), DVec3(-1.0, 0.0, -1.0), DVec3(1.0));
   Random random(18);

@@ -5,8 +5,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <functional>
-#include <optional>
 #include <vector>
 
 namespace lume::test {
@@ -91,29 +89,33 @@ inline Roots roots_of(const Polynomial& p, Real low, Real high, Real margin) {
   return roots;
 }
 
-/// A function of one variable and its slope, with bounds on its first and second derivative.
-struct Bounded {
-  std::function<Real(Real)> value;
-  std::function<Real(Real)> slope;
-  Real largest_slope = 0;
-  Real largest_bend = 0;
+/// The largest that a function's first and second derivatives become.
+struct SlopeBounds {
+  Real slope = 0;
+  Real bend = 0;
 };
 
-/// Halves the line until the bounds say that a piece has no root or is monotone.
-inline void add_roots(const Bounded& f, Real low, Real high, Roots& roots) {
+/// Halves the line until the bounds say that a piece has no root or is monotone. f(t) is the
+/// function's value and its slope.
+template <class Function>
+void add_roots(const Function& f, const SlopeBounds& bounds, Real low, Real high, Roots& roots) {
   const Real middle = (low + high) / 2;
   const Real radius = (high - low) / 2;
-  if (std::abs(f.value(middle)) > f.largest_slope * radius) return;
-  if (std::abs(f.slope(middle)) > f.largest_bend * radius) {
-    if ((f.value(low) < 0) != (f.value(high) < 0)) roots.t.push_back(bisect(f.value, low, high));
+  const auto [value, slope] = f(middle);
+  if (std::abs(value) > bounds.slope * radius) return;
+  if (std::abs(slope) > bounds.bend * radius) {
+    const auto value_at = [&](Real t) { return f(t).first; };
+    if ((value_at(low) < 0) != (value_at(high) < 0)) {
+      roots.t.push_back(bisect(value_at, low, high));
+    }
     return;
   }
   if (radius < 1e-6L) {
     roots.is_open = true;
     return;
   }
-  add_roots(f, low, middle, roots);
-  add_roots(f, middle, high, roots);
+  add_roots(f, bounds, low, middle, roots);
+  add_roots(f, bounds, middle, high, roots);
 }
 
 }  // namespace lume::test

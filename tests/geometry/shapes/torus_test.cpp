@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/shapes/torus.h"
 
+#include "tests/geometry/shapes/surface_checks.h"
 #include "tests/support/random.h"
 
 #include <gtest/gtest.h>
@@ -13,6 +14,7 @@
 namespace lume::geometry {
 namespace {
 
+using test::angle_between;
 using test::Random;
 using Real = long double;
 
@@ -78,10 +80,6 @@ DVec3 expected_normal(const Torus& torus, const DVec3& p) {
   const double q = std::hypot(p.x, p.z);
   const double aside = q - torus.major_radius;
   return normalize(DVec3(aside * p.x / q, p.y, aside * p.z / q));
-}
-
-double angle_between(const DVec3& a, const DVec3& b) {
-  return std::atan2(length(cross(a, b)), dot(a, b));
 }
 
 Torus random_torus(Random& random) {
@@ -260,28 +258,7 @@ TEST(Torus, Support_IsReachedAndNeverExceeded) {
   }
 }
 
-TEST(Torus, RaysThatAreNone_HitNothing) {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  const double infinity = std::numeric_limits<double>::infinity();
-  const Torus torus;
-  const DVec3 o(0.0, 0.0, 2.0);
-  const DVec3 d(0.0, 0.0, -1.0);
-  ASSERT_TRUE(torus.intersect({o, d}));
-  for (const double bad : {nan, infinity, -infinity}) {
-    for (int axis = 0; axis < 3; ++axis) {
-      DVec3 broken = o;
-      broken[axis] = bad;
-      EXPECT_FALSE(torus.intersect({broken, d}));
-      broken = d;
-      broken[axis] = bad;
-      EXPECT_FALSE(torus.intersect({o, broken}));
-    }
-  }
-  EXPECT_FALSE(torus.intersect({o, DVec3(0.0)}));
-  EXPECT_FALSE(torus.intersect({o, d, nan, 10.0}));
-  EXPECT_FALSE(torus.intersect({o, d, 0.0, nan}));
-  EXPECT_FALSE(torus.intersect({o, d, 3.0, 1.0}));
-}
+TEST(Torus, RaysThatAreNone_HitNothing) { test::expect_that_broken_rays_hit_nothing(Torus{}); }
 
 }  // namespace
 }  // namespace lume::geometry
