@@ -1,22 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/camera.h"
 
+#include "geometry/disk.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace lume::geometry {
 
-Ray Camera::generate_ray(Vec2 ndc, float image_aspect) const {
+Ray Camera::generate_ray(Vec2 ndc, float image_aspect, Vec2 lens) const {
   const float x = (2.0f * ndc.x - 1.0f) * image_aspect;
   const float y = 1.0f - 2.0f * ndc.y;
   Ray ray;
+  Vec3 forward;  // how far the ray through the lens's centre gets in one metre of depth
   if (projection == Projection::orthographic) {
     ray.origin = position + half_height * (x * right + y * up);
-    ray.direction = -backward;
+    forward = -backward;
+    ray.direction = forward;
   } else {
     const float half = std::tan(0.5f * vertical_fov);  // of the image plane at distance 1
     ray.origin = position;
-    ray.direction = normalize(half * (x * right + y * up) - backward);
+    forward = half * (x * right + y * up) - backward;
+    ray.direction = normalize(forward);
+  }
+  if (lens_radius > 0.0f) {
+    const Vec2 on_lens = lens_radius * concentric_disk(lens);
+    const Vec3 aside = on_lens.x * right + on_lens.y * up;
+    ray.origin += aside;
+    ray.direction = normalize(forward - aside / focus_distance);  // back again where it is sharp
   }
   return ray;
 }

@@ -8,8 +8,9 @@
 
 namespace lume::geometry {
 
-/// A pinhole or orthographic camera in the scene's frame, looking along its -z with +y up, as in
-/// glTF. Clip planes are not kept: a ray tracer has no use for them.
+/// A perspective or orthographic camera in the scene's frame, looking along its -z with +y up, as
+/// in glTF, through a pinhole or a thin lens. Clip planes are not kept: a ray tracer has no use for
+/// them.
 struct Camera {
   enum class Projection { perspective, orthographic };
 
@@ -22,10 +23,16 @@ struct Camera {
   float vertical_fov = 0.8f;  ///< radians, perspective only
   float half_height = 1.0f;   ///< metres, orthographic only
   float aspect = 0.0f;        ///< width / height the camera was made for; 0: any
+  float lens_radius = 0.0f;   ///< metres; 0: a pinhole, all is sharp
+  /// Metres along the viewing axis to the plane that is sharp, above 0; may be infinite.
+  float focus_distance = 1.0f;
 
   /// The ray through image-plane position `ndc` (x to the right, y down, both 0..1 over the whole
-  /// image) for an image of the given width / height. The direction is a unit vector.
-  [[nodiscard]] Ray generate_ray(Vec2 ndc, float image_aspect) const;
+  /// image) for an image of the given width / height. The direction is a unit vector. `lens`, two
+  /// numbers in [0, 1), chooses the point of the lens that the ray comes from, uniformly by area:
+  /// all rays of one image position meet in one point of the plane that is sharp (Cook, Porter and
+  /// Carpenter 1984, "Distributed Ray Tracing", section 4.2).
+  [[nodiscard]] Ray generate_ray(Vec2 ndc, float image_aspect, Vec2 lens = Vec2(0.5f)) const;
 
   /// Distance of a point along the viewing axis (metres; positive in front).
   [[nodiscard]] float depth(const Vec3& point) const { return dot(position - point, backward); }

@@ -18,15 +18,45 @@ constexpr Names k_albedo = {"albedo.R", "albedo.G", "albedo.B"};
 constexpr std::array<std::string_view, 1> k_instance = {"instance.id"};
 constexpr std::array<std::string_view, 1> k_material = {"material.id"};
 
-constexpr std::array<AovInfo, 7> k_infos = {{
-    {Aov::depth, "depth", k_depth, true, "distance along the viewing axis in metres"},
-    {Aov::position, "position", k_position, true, "world position in metres"},
-    {Aov::normal, "normal", k_normal, false, "shading normal in the world, facing the camera"},
-    {Aov::geometric_normal, "geometric_normal", k_geometric_normal, false,
+constexpr Names k_emitted = {"emitted.R", "emitted.G", "emitted.B"};
+constexpr Names k_ambient = {"ambient.R", "ambient.G", "ambient.B"};
+constexpr Names k_diffuse = {"diffuse.R", "diffuse.G", "diffuse.B"};
+constexpr Names k_specular = {"specular.R", "specular.G", "specular.B"};
+constexpr Names k_reflected = {"reflected.R", "reflected.G", "reflected.B"};
+constexpr Names k_transmitted = {"transmitted.R", "transmitted.G", "transmitted.B"};
+constexpr Names k_shadow = {"shadow.R", "shadow.G", "shadow.B"};
+constexpr std::array<std::string_view, 1> k_recursion_depth = {"recursion_depth.V"};
+constexpr std::array<std::string_view, 1> k_ray_count = {"ray_count.V"};
+
+constexpr std::array<AovInfo, 16> k_infos = {{
+    {Aov::depth, "depth", k_depth, AovSource::center, "distance along the viewing axis in metres"},
+    {Aov::position, "position", k_position, AovSource::center, "world position in metres"},
+    {Aov::normal, "normal", k_normal, AovSource::surface,
+     "shading normal in the world, facing the camera"},
+    {Aov::geometric_normal, "geometric_normal", k_geometric_normal, AovSource::surface,
      "normal of the surface itself in the world, on its front side"},
-    {Aov::albedo, "albedo", k_albedo, false, "base colour, linear Rec.709"},
-    {Aov::instance, "instance", k_instance, true, "number of the instance, from 1; 0 for none"},
-    {Aov::material, "material", k_material, true, "number of the material, from 1; 0 for none"},
+    {Aov::albedo, "albedo", k_albedo, AovSource::surface, "base colour, linear Rec.709"},
+    {Aov::instance, "instance", k_instance, AovSource::center,
+     "number of the instance, from 1; 0 for none"},
+    {Aov::material, "material", k_material, AovSource::center,
+     "number of the material, from 1; 0 for none"},
+    {Aov::emitted, "emitted", k_emitted, AovSource::light,
+     "light that the surface or the backdrop gives off itself; this and the next five add up to "
+     "the "
+     "picture"},
+    {Aov::ambient, "ambient", k_ambient, AovSource::light, "ambient light that it sends back"},
+    {Aov::diffuse, "diffuse", k_diffuse, AovSource::light, "light of the lights, diffusely"},
+    {Aov::specular, "specular", k_specular, AovSource::light, "highlights of the lights"},
+    {Aov::reflected, "reflected", k_reflected, AovSource::light,
+     "what the reflected rays bring back"},
+    {Aov::transmitted, "transmitted", k_transmitted, AovSource::light,
+     "what the refracted rays bring back"},
+    {Aov::shadow, "shadow", k_shadow, AovSource::light,
+     "what diffuse and specular would be more if nothing cast a shadow"},
+    {Aov::recursion_depth, "recursion_depth", k_recursion_depth, AovSource::light,
+     "the most reflections and refractions in a row, mean of the samples"},
+    {Aov::ray_count, "ray_count", k_ray_count, AovSource::light,
+     "rays of all kinds a sample, mean of the samples"},
 }};
 
 const AovInfo& info(Aov aov) { return k_infos[static_cast<std::size_t>(aov)]; }
@@ -60,6 +90,36 @@ void write_aov(Aov aov, const PreparedScene& prepared, const geometry::Camera& c
     case Aov::material:
       *out = static_cast<float>(point.geometry->material + 1);
       break;
+    default:
+      break;  // of the light
+  }
+}
+
+void write_light_aov(Aov aov, const PixelLight& light, float* out) {
+  const LightTerms& terms = light.mean.terms;
+  switch (aov) {
+    case Aov::emitted:
+      return write(terms.emitted, out);
+    case Aov::ambient:
+      return write(terms.ambient, out);
+    case Aov::diffuse:
+      return write(terms.diffuse, out);
+    case Aov::specular:
+      return write(terms.specular, out);
+    case Aov::reflected:
+      return write(terms.reflected, out);
+    case Aov::transmitted:
+      return write(terms.transmitted, out);
+    case Aov::shadow:
+      return write(light.mean.shadow, out);
+    case Aov::recursion_depth:
+      *out = light.recursion_depth;
+      break;
+    case Aov::ray_count:
+      *out = light.ray_count;
+      break;
+    default:
+      break;  // of the surface
   }
 }
 
@@ -84,6 +144,14 @@ void evaluate_aovs(std::span<const Aov> aovs, const PreparedScene& prepared,
     } else if (aov == Aov::depth) {
       *next = k_no_depth;
     }
+    next += info(aov).channels.size();
+  }
+}
+
+void evaluate_light_aovs(std::span<const Aov> aovs, const PixelLight& light, std::span<float> out) {
+  float* next = out.data();
+  for (const Aov aov : aovs) {
+    write_light_aov(aov, light, next);
     next += info(aov).channels.size();
   }
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Arbitrary output variables: what else is known of the surface that a pixel shows.
+// Arbitrary output variables: what else is known of the surface that a pixel shows, and of its
+// light.
 #pragma once
 
 #include "geometry/camera.h"
 #include "renderer/prepared_scene.h"
+#include "renderer/radiance.h"
 
 #include <cstddef>
 #include <span>
@@ -12,15 +14,37 @@
 
 namespace lume::renderer {
 
-enum class Aov { depth, position, normal, geometric_normal, albedo, instance, material };
+enum class Aov {
+  depth,
+  position,
+  normal,
+  geometric_normal,
+  albedo,
+  instance,
+  material,
+  emitted,
+  ambient,
+  diffuse,
+  specular,
+  reflected,
+  transmitted,
+  shadow,
+  recursion_depth,
+  ray_count
+};
+
+/// Where the values of an AOV come from.
+enum class AovSource {
+  center,   ///< the surface in the pixel's centre, once, because a mean of it means nothing
+  surface,  ///< the surfaces of the pixel's samples, averaged like the colour
+  light     ///< what the integrator brought back, averaged like the colour
+};
 
 struct AovInfo {
   Aov aov;
   std::string_view name;                       ///< on the command line
   std::span<const std::string_view> channels;  ///< in an EXR
-  /// Taken once, through the pixel's centre, because a mean of it means nothing; others are
-  /// averaged over the pixel's samples like the colour.
-  bool at_center;
+  AovSource source;
   std::string_view description;  ///< with units and frame
 };
 
@@ -30,10 +54,20 @@ struct AovInfo {
 /// How many channels the AOVs have together.
 [[nodiscard]] std::size_t channel_count(std::span<const Aov> aovs);
 
-/// Writes the channels of all `aovs`, one after the other, for the surface that `ray` shows first;
-/// 0 where it shows none, but k_no_depth for depth.
+/// Writes the channels of all `aovs`, none of them of the light, one after the other, for the
+/// surface that `ray` shows first; 0 where it shows none, but k_no_depth for depth.
 void evaluate_aovs(std::span<const Aov> aovs, const PreparedScene& prepared,
                    const geometry::Camera& camera, const geometry::Ray& ray, std::span<float> out);
+
+/// What a pixel's samples say of its light.
+struct PixelLight {
+  Radiance mean;
+  float recursion_depth = 0.0f;  ///< mean of the deepest recursion of each sample
+  float ray_count = 0.0f;        ///< mean rays of a sample, of all kinds
+};
+
+/// The same for AOVs of the light.
+void evaluate_light_aovs(std::span<const Aov> aovs, const PixelLight& light, std::span<float> out);
 
 /// Depth of the empty background: finite, so that pixels can be compared, and beyond any scene.
 inline constexpr float k_no_depth = 1e10f;

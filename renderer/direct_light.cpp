@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderer/direct_light.h"
 
+#include "renderer/ray_tree.h"
 #include "renderer/shadow.h"
+#include "shading/material_point.h"
 #include "shading/warp.h"
 
 #include <algorithm>
@@ -10,61 +12,81 @@
 namespace lume::renderer {
 namespace {
 
-using shading::Color;
-
 enum Dimension : std::uint32_t { k_environment, k_emitter_choice, k_emitter_position };
 
-/// What the surface does with light from one direction.
-struct Response {
-  Color diffuse{0.0f};   ///< BRDF * cosine
-  Color specular{0.0f};  ///< BRDF * cosine
+/// Adds up the light of one surface.
+class Gatherer {
+ public:
+  Gatherer(const PreparedScene& prepared, const ShadedPoint& point, bool shadows, Ledger& ledger)
+      : prepared_(prepared), point_(point), shadows_(shadows), ledger_(ledger) {}
 
-  [[nodiscard]] bool is_black() const { return diffuse + specular == Color(0.0f); }
+  void add_environment(const Sampler& sampler);
+  void add_emitter(const Sampler& sampler);
+  void add_punctual(const shading::PunctualLight& light);
+
+  [[nodiscard]] const DirectLight& sum() const { return sum_; }
+
+ private:
+  /// Light that arrives along a shadow ray, if nothing is in the way.
+  struct Arrival {
+    Vec3 to_light{0.0f};      ///< unit
+    Color illuminance{0.0f};  ///< on a surface that faces it (lx); its mean, where a point is drawn
+    float ambient_occlusion = 1.0f;  ///< of the diffuse part
+    /// Density of the direction where reflection rays can meet the light too; 0: they cannot.
+    float pdf = 0.0f;
+  };
+
+  void add(const Arrival& arrival, const geometry::Ray& ray, LightNote::Kind kind,
+           std::uint32_t index = 0, const geometry::Hit& emitter = {});
+
+  const PreparedScene& prepared_;
+  const ShadedPoint& point_;
+  bool shadows_;
+  Ledger& ledger_;
+  DirectLight sum_;
 };
 
-Response respond(const ShadedPoint& point, const Vec3& to_light) {
-  // A normal map must not let light in from behind the actual surface.
-  const float side = point.surface.front_facing ? 1.0f : -1.0f;
-  if (side * dot(point.surface.geometric_normal, to_light) <= 0.0f) return {};
-  return {point.bsdf.eval_diffuse(to_light), point.bsdf.eval_specular(to_light)};
-}
+void Gatherer::add(const Arrival& arrival, const geometry::Ray& ray, LightNote::Kind kind,
+                   std::uint32_t index, const geometry::Hit& emitter) {
+  if (arrival.illuminance == Color(0.0f) || !point_.is_above(arrival.to_light)) return;
+  const Color diffuse =
+      arrival.illuminance * arrival.ambient_occlusion * point_.bsdf.eval_diffuse(arrival.to_light);
+  Color specular = arrival.illuminance * point_.bsdf.eval_specular(arrival.to_light);
+  if (diffuse + specular == Color(0.0f)) return;
 
-Color punctual_light(const PreparedScene& prepared, const ShadedPoint& point,
-                     const shading::PunctualLight& light, RayCounts& counts) {
-  const auto incidence = shading::illuminate(light, point.surface.position);
-  if (incidence.illuminance == Color(0.0f)) return Color(0.0f);
-  const Response response = respond(point, incidence.to_light);
-  if (response.is_black()) return Color(0.0f);
-  const geometry::Ray ray = std::isinf(incidence.distance)
-                                ? shadow_ray_along(point.surface, incidence.to_light)
-                                : shadow_ray(point.surface, light.position);
-  return incidence.illuminance * trace_shadow(prepared, ray, counts).color *
-         (response.diffuse + response.specular);
-}
-
-/// Light from something that reflection rays can meet too: `radiance` from `to_light`, where shadow
-/// rays are aimed with density `pdf`.
-Color shared_light(const PreparedScene& prepared, const ShadedPoint& point,
-                   const geometry::Ray& ray, const Vec3& to_light, const Color& radiance, float pdf,
-                   float ambient_occlusion, RayCounts& counts) {
-  if (!(pdf > 0.0f) || radiance == Color(0.0f)) return Color(0.0f);
-  Response response = respond(point, to_light);
-  response.diffuse *= ambient_occlusion;
-  if (response.is_black()) return Color(0.0f);
-  const Transmittance transmittance = trace_shadow(prepared, ray, counts);
-  if (point.reflects) {
-    const bool left_to_reflection = transmittance.through_transmissive;
-    response.specular *=
-        left_to_reflection ? 0.0f : balance(pdf, point.bsdf.reflection_pdf(to_light));
+  Transmittance passes;
+  if (shadows_) passes = trace_shadow(prepared_, ray, ledger_.counts);
+  if (point_.reflects && arrival.pdf > 0.0f) {
+    // A mirror's highlight is black already, and one that is a term of its own has no density.
+    const float reflection_pdf = point_.bsdf.reflection_pdf(arrival.to_light);
+    if (reflection_pdf > 0.0f) {
+      specular *= passes.through_transmissive ? 0.0f : balance(arrival.pdf, reflection_pdf);
+    }
   }
-  return radiance * transmittance.color * (response.diffuse + response.specular) / pdf;
+  const Color arriving_diffuse = passes.color * diffuse;
+  const Color arriving_specular = passes.color * specular;
+  sum_.diffuse += arriving_diffuse;
+  sum_.specular += arriving_specular;
+  sum_.shadow += (diffuse - arriving_diffuse) + (specular - arriving_specular);
+  if (ledger_.tree != nullptr) {
+    ledger_.tree->lights.push_back({kind, index, emitter, ray, arrival.illuminance / geometry::k_pi,
+                                    passes.color, arriving_diffuse, arriving_specular});
+  }
 }
 
-Color environment_light(const PreparedScene& prepared, const ShadedPoint& point,
-                        const Sampler& sampler, RayCounts& counts) {
-  const auto& environment = prepared.scene().environment;
-  if (!environment) return Color(0.0f);
-  const EnvironmentAim aim = environment_aim(point.material, point.bsdf);
+void Gatherer::add_punctual(const shading::PunctualLight& light) {
+  const auto incidence = shading::illuminate(light, point_.surface.position);
+  const geometry::Ray ray = std::isinf(incidence.distance)
+                                ? shadow_ray_along(point_.surface, incidence.to_light)
+                                : shadow_ray(point_.surface, light.position);
+  const auto index = static_cast<std::uint32_t>(&light - prepared_.scene().lights.data());
+  add({incidence.to_light, incidence.illuminance}, ray, LightNote::Kind::punctual, index);
+}
+
+void Gatherer::add_environment(const Sampler& sampler) {
+  const auto& environment = prepared_.scene().environment;
+  if (!environment) return;
+  const EnvironmentAim aim = environment_aim(point_.material, point_.bsdf);
   // The first number chooses the strategy and, stretched again, a direction, so that the samples of
   // either strategy are as well spread as all of them.
   Vec2 random = sampler.get_2d(k_environment);
@@ -75,42 +97,38 @@ Color environment_light(const PreparedScene& prepared, const ShadedPoint& point,
       by_cosine
           ? geometry::make_frame(aim.normal).to_world(shading::sample_cosine_hemisphere(random))
           : environment->sample(random).direction;
-  return shared_light(prepared, point, shadow_ray_along(point.surface, direction), direction,
-                      environment->radiance(direction), environment_pdf(prepared, aim, direction),
-                      point.material.occlusion, counts);
+  const float pdf = environment_pdf(prepared_, aim, direction);
+  if (!(pdf > 0.0f)) return;
+  add({direction, environment->radiance(direction) / pdf, point_.material.occlusion, pdf},
+      shadow_ray_along(point_.surface, direction), LightNote::Kind::environment);
 }
 
-Color emitter_light(const PreparedScene& prepared, const ShadedPoint& point, const Sampler& sampler,
-                    RayCounts& counts) {
-  if (prepared.emitters().empty()) return Color(0.0f);
-  const EmitterSample sample = prepared.emitters().sample(sampler.get_1d(k_emitter_choice),
-                                                          sampler.get_2d(k_emitter_position));
-  const Vec3 offset = sample.position - point.surface.position;
-  const float distance = length(offset);
-  if (!(distance > 0.0f)) return Color(0.0f);
-  const Vec3 to_light = offset / distance;
+void Gatherer::add_emitter(const Sampler& sampler) {
+  if (prepared_.emitters().empty()) return;
+  const Vec3& from = point_.surface.position;
+  const EmitterSample sample = prepared_.emitters().sample(
+      sampler.get_1d(k_emitter_choice), sampler.get_2d(k_emitter_position), from);
+  if (!(sample.pdf > 0.0f)) return;
+  const Vec3 to_light = normalize(sample.position - from);
   geometry::SurfacePoint met;  // only what evaluate_emission looks at
   met.hit = sample.hit;
-  met.geometry = &prepared.scene().world.geometry(sample.hit);
+  met.geometry = &prepared_.scene().world.geometry(sample.hit);
   met.uv = sample.uv;
   met.front_facing = dot(sample.normal, to_light) < 0.0f;
-  const float cosine = std::abs(dot(sample.normal, to_light));
-  if (!(cosine > 0.0f)) return Color(0.0f);
-  const float pdf = sample.area_pdf * distance * distance / cosine;
-  return shared_light(prepared, point, shadow_ray(point.surface, sample.position), to_light,
-                      shading::evaluate_emission(prepared.scene(), met), pdf, 1.0f, counts);
+  const Color radiance = shading::evaluate_emission(prepared_.scene(), met);
+  add({to_light, radiance / sample.pdf, 1.0f, sample.pdf},
+      shadow_ray(point_.surface, sample.position), LightNote::Kind::emitter, 0, sample.hit);
 }
 
 }  // namespace
 
-Color direct_light(const PreparedScene& prepared, const ShadedPoint& point, const Sampler& sampler,
-                   RayCounts& counts) {
-  Color sum = environment_light(prepared, point, sampler, counts) +
-              emitter_light(prepared, point, sampler, counts);
-  for (const shading::PunctualLight& light : prepared.scene().lights) {
-    sum += punctual_light(prepared, point, light, counts);
-  }
-  return sum;
+DirectLight direct_light(const PreparedScene& prepared, const ShadedPoint& point, bool shadows,
+                         const Sampler& sampler, Ledger& ledger) {
+  Gatherer gatherer(prepared, point, shadows, ledger);
+  gatherer.add_environment(sampler);
+  gatherer.add_emitter(sampler);
+  for (const shading::PunctualLight& light : prepared.scene().lights) gatherer.add_punctual(light);
+  return gatherer.sum();
 }
 
 EnvironmentAim environment_aim(const shading::MaterialPoint& material, const shading::Bsdf& bsdf) {
@@ -122,13 +140,6 @@ float environment_pdf(const PreparedScene& prepared, const EnvironmentAim& aim,
   const float by_radiance = prepared.scene().environment->pdf(direction);
   const float by_cosine = std::max(0.0f, dot(aim.normal, direction)) / geometry::k_pi;
   return by_radiance + aim.cosine_share * (by_cosine - by_radiance);
-}
-
-float emitter_pdf(const PreparedScene& prepared, const geometry::SurfacePoint& met, float distance,
-                  const Vec3& direction) {
-  const float cosine = std::abs(dot(met.geometric_normal, direction));
-  if (!(cosine > 0.0f)) return 0.0f;
-  return prepared.emitters().area_pdf(met.hit) * distance * distance / cosine;
 }
 
 }  // namespace lume::renderer

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "geometry/ray.h"
+#include "renderer/ledger.h"
 #include "renderer/prepared_scene.h"
-#include "renderer/ray_counts.h"
+#include "renderer/radiance.h"
 #include "renderer/sampler.h"
-#include "shading/color.h"
 
 #include <memory>
 #include <span>
@@ -13,17 +13,14 @@
 
 namespace lume::renderer {
 
-using shading::Color;
-
-/// What one camera ray brings back.
-struct Radiance {
-  Color color{0.0f};   ///< nits, already weighted by coverage (associated alpha)
-  float alpha = 0.0f;  ///< coverage: 0 where nothing was met and no backdrop shows
-};
-
 struct IntegratorSettings {
-  int max_depth =
-      5;  ///< reflections and refractions in a row; 0: only what the camera sees directly
+  /// Reflections and refractions in a row; 0: only what the camera sees directly.
+  int max_depth = 5;
+  /// Rays that would count for less than this in the pixel are left out; 0: none.
+  float cutoff = 1e-4f;
+  bool shadows = true;
+  /// How far surfaces keep ambient light from each other (metres); 0: not at all.
+  float occlusion_distance = 0.0f;
 };
 
 /// An algorithm that finds the light along a camera ray.
@@ -34,8 +31,9 @@ class Integrator {
   Integrator& operator=(const Integrator&) = delete;
   virtual ~Integrator() = default;
 
+  /// The ray's direction must be a unit vector.
   [[nodiscard]] virtual Radiance radiance(const geometry::Ray& ray, const Sampler& sampler,
-                                          RayCounts& counts) const = 0;
+                                          Ledger& ledger) const = 0;
 };
 
 /// The names that make_integrator knows, default first.

@@ -4,7 +4,6 @@
 #include "geometry/parallel.h"
 
 #include <algorithm>
-#include <cmath>
 #include <mutex>
 #include <tuple>
 
@@ -12,13 +11,12 @@ namespace lume::renderer {
 namespace {
 
 constexpr int k_tile_size = 16;  // pixels; small enough that the last tiles keep all threads busy
-constexpr std::uint32_t k_filter_dimension = 0;
-constexpr std::uint32_t k_path_branch = 1;
 
-/// The AOVs in two groups: taken at the pixel's centre, and averaged over its samples.
+/// The AOVs by where they come from.
 struct AovGroups {
-  std::vector<Aov> centered;
-  std::vector<Aov> averaged;
+  std::vector<Aov> center;
+  std::vector<Aov> surface;
+  std::vector<Aov> light;
 };
 
 /// What is the same for all tiles.
@@ -32,12 +30,6 @@ struct Job {
 
   [[nodiscard]] bool is_cancelled() const {
     return cancel != nullptr && cancel->load(std::memory_order_relaxed);
-  }
-
-  [[nodiscard]] geometry::Ray camera_ray(int x, int y, Vec2 offset) const {
-    const Vec2 size(static_cast<float>(settings.width), static_cast<float>(settings.height));
-    const Vec2 pixel(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
-    return camera.generate_ray((pixel + offset) / size, size.x / size.y);
   }
 };
 
@@ -59,42 +51,44 @@ struct Tally {
   }
 };
 
-bool is_finite(const Radiance& r) { return geometry::is_finite(r.color) && std::isfinite(r.alpha); }
-
 /// Channels of one pixel's AOVs, kept from pixel to pixel so that none allocates.
 struct PixelAovs {
   explicit PixelAovs(const AovGroups& groups)
-      : centered(channel_count(groups.centered)),
-        averaged(channel_count(groups.averaged)),
-        sample(averaged.size()) {}
+      : center(channel_count(groups.center)),
+        surface(channel_count(groups.surface)),
+        light(channel_count(groups.light)),
+        sample(surface.size()) {}
 
-  std::vector<float> centered;
-  std::vector<float> averaged;
-  std::vector<float> sample;  ///< what one sample adds to `averaged`
+  std::vector<float> center;
+  std::vector<float> surface;
+  std::vector<float> light;
+  std::vector<float> sample;  ///< what one sample adds to `surface`
 };
 
-/// The mean of a pixel's samples, added up in their order.
+/// The mean of a pixel's samples, and all its AOVs.
 shading::Vec4 render_pixel(const Job& job, int x, int y, PixelAovs& aovs, Tally& tally) {
   const RenderSettings& settings = job.settings;
-  shading::Vec4 sum(0.0f);
-  std::fill(aovs.averaged.begin(), aovs.averaged.end(), 0.0f);
+  PixelMean mean;
+  std::fill(aovs.surface.begin(), aovs.surface.end(), 0.0f);
   for (std::uint32_t s = 0; s < settings.spp; ++s) {
-    const Sampler sampler(settings.seed, x, y, s);
-    const Vec2 offset = settings.filter.sample(sampler.get_2d(k_filter_dimension));
-    const geometry::Ray ray = job.camera_ray(x, y, offset);
-    const Radiance sample = job.integrator.radiance(ray, sampler.branch(k_path_branch), tally.rays);
-    if (is_finite(sample)) {
-      sum += shading::Vec4(sample.color, sample.alpha);
-    } else {
-      tally.add_non_finite({1, x, y, s});
-    }
-    if (aovs.averaged.empty()) continue;
-    evaluate_aovs(job.aovs.averaged, job.prepared, job.camera, ray, aovs.sample);
-    for (std::size_t i = 0; i < aovs.sample.size(); ++i) aovs.averaged[i] += aovs.sample[i];
+    const auto [ray, sampler] = camera_sample(settings, job.camera, x, y, s);
+    Ledger ledger;
+    const Radiance sample = job.integrator.radiance(ray, sampler, ledger);
+    if (!mean.add(sample, ledger.counts.total())) tally.add_non_finite({1, x, y, s});
+    tally.rays += ledger.counts;
+    if (aovs.surface.empty()) continue;
+    evaluate_aovs(job.aovs.surface, job.prepared, job.camera, ray, aovs.sample);
+    for (std::size_t i = 0; i < aovs.sample.size(); ++i) aovs.surface[i] += aovs.sample[i];
   }
   const float scale = 1.0f / static_cast<float>(settings.spp);
-  for (float& value : aovs.averaged) value *= scale;
-  return sum * scale;
+  for (float& value : aovs.surface) value *= scale;
+  const PixelLight light = mean.light(settings.spp);
+  evaluate_light_aovs(job.aovs.light, light, aovs.light);
+  if (!aovs.center.empty()) {
+    evaluate_aovs(job.aovs.center, job.prepared, job.camera, center_ray(settings, job.camera, x, y),
+                  aovs.center);
+  }
+  return {light.mean.color(), light.mean.alpha};
 }
 
 /// Copies a group's interleaved channels into the film's layers at one pixel.
@@ -123,11 +117,9 @@ Tally render_tile(const Job& job, const shading::PixelRegion& tile, Film& film) 
                              static_cast<std::size_t>(film.region.width) +
                          static_cast<std::size_t>(x - film.region.x);
       film.pixels[pixel] = render_pixel(job, x, y, aovs, tally);
-      store_layers(film, job.aovs.averaged, aovs.averaged, pixel);
-      if (aovs.centered.empty()) continue;
-      evaluate_aovs(job.aovs.centered, job.prepared, job.camera, job.camera_ray(x, y, Vec2(0.0f)),
-                    aovs.centered);
-      store_layers(film, job.aovs.centered, aovs.centered, pixel);
+      store_layers(film, job.aovs.center, aovs.center, pixel);
+      store_layers(film, job.aovs.surface, aovs.surface, pixel);
+      store_layers(film, job.aovs.light, aovs.light, pixel);
     }
   }
   return tally;
@@ -160,8 +152,11 @@ std::vector<shading::PixelRegion> cut_tiles(const shading::PixelRegion& region) 
 AovGroups group_aovs(const std::vector<Aov>& aovs) {
   AovGroups groups;
   for (const Aov aov : aovs) {
-    const bool at_center = aov_infos()[static_cast<std::size_t>(aov)].at_center;
-    (at_center ? groups.centered : groups.averaged).push_back(aov);
+    const AovSource source = aov_infos()[static_cast<std::size_t>(aov)].source;
+    (source == AovSource::center    ? groups.center
+     : source == AovSource::surface ? groups.surface
+                                    : groups.light)
+        .push_back(aov);
   }
   return groups;
 }

@@ -6,7 +6,7 @@
 #include "renderer/aov.h"
 #include "renderer/film.h"
 #include "renderer/integrator.h"
-#include "renderer/pixel_filter.h"
+#include "renderer/pixel.h"
 #include "renderer/prepared_scene.h"
 
 #include <atomic>
@@ -16,13 +16,8 @@
 
 namespace lume::renderer {
 
-struct RenderSettings {
-  int width = 1280;  ///< pixels of the whole image
-  int height = 720;
+struct RenderSettings : PixelSettings {
   shading::PixelRegion region;  ///< the part to render; empty: all of it
-  std::uint32_t spp = 16;       ///< samples a pixel
-  std::uint64_t seed = 0;
-  PixelFilter filter;
   std::vector<Aov> aovs;
 };
 

@@ -23,15 +23,12 @@ Transmittance cross(const shading::Scene& scene, const geometry::SurfacePoint& p
                     const geometry::Ray& ray, float length_of_t) {
   const Vec3 to_viewer = -ray.direction / length_of_t;
   const auto material = shading::evaluate_material(scene, point, to_viewer);
+  Color passes = shading::straight_transmittance(material, dot(material.normal, to_viewer));
   Transmittance result;
-  Color passes(0.0f);
-  if (material.transmission > 0.0f && material.coverage > 0.0f) {
-    result.through_transmissive = true;
-    passes = shading::straight_transmittance(material, dot(material.normal, to_viewer));
-    // Met from behind, the ray has been inside since the last crossing.
-    if (material.material->is_solid() && !point.front_facing) {
-      passes *= absorb(*material.material, point.t * length_of_t);
-    }
+  result.through_transmissive = material.coverage > 0.0f && shading::max_component(passes) > 0.0f;
+  // Met from behind, the ray has been inside since the last crossing.
+  if (material.material->is_solid() && !point.front_facing) {
+    passes *= absorb(*material.material, point.t * length_of_t);
   }
   result.color = Color(1.0f - material.coverage) + material.coverage * passes;
   return result;

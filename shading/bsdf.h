@@ -1,81 +1,75 @@
 // SPDX-License-Identifier: Apache-2.0
-// The glTF metallic-roughness BSDF (glTF 2.0, appendix B, and KHR_materials_transmission):
-//   f = mix(dielectric, metal, metallic),
-//   dielectric = mix(mix(diffuse, through, transmission), specular, F(ior)),
-//   metal = specular * F(base colour),
-// a Lambertian base under a GGX layer that reflects and, where the surface is transmissive, lets
-// through. Where the appendix weighs the base by 1 - F(v.h), which at grazing angles adds up to
-// more light than arrives, the base here gets what the layer leaves on the way in and on the way
-// out,
-//   (1 - F(n.l)) (1 - F(n.v)) / (1 - F_average),
-// which is reciprocal and conserves energy (Shirley, Smits, Hu, Lafortune 1997, "A Practitioners'
-// Assessment of Light Reflection Models"; Kelemen and Szirmay-Kalos 2001). Directions
-// are unit vectors in the scene's frame that point away from the surface.
+// What a surface does with light, whichever way its material is described: glTF's (gltf_bsdf.h) or
+// the course's (phong_bsdf.h). Both offer the terms of the recursive model; docs/phong.md says
+// which quantity of the one stands for which of the other.
 #pragma once
 
-#include "geometry/math.h"
-#include "shading/color.h"
-#include "shading/material_point.h"
+#include "shading/gltf_bsdf.h"
+#include "shading/phong_bsdf.h"
 
 #include <optional>
+#include <variant>
 
 namespace lume::shading {
-
-/// A direction in which the recursion goes on.
-struct LobeSample {
-  Vec3 direction{0.0f};
-  Color weight{0.0f};  ///< BSDF * cosine / density: what the light from there is multiplied by
-  float pdf = 0.0f;    ///< per steradian; 0 for a mirror, whose density is infinite
-};
 
 class Bsdf {
  public:
   /// `inside`: the viewer is inside the solid that the surface bounds.
-  Bsdf(const MaterialPoint& point, const Vec3& to_viewer, bool inside);
+  Bsdf(const MaterialPoint& point, const Vec3& to_viewer, bool inside)
+      : model_(point.material->phong ? Model(PhongBsdf(point, to_viewer, inside))
+                                     : Model(GltfBsdf(point, to_viewer, inside))) {}
 
-  /// Diffuse BRDF times the cosine (1/sr); 0 below the surface.
-  [[nodiscard]] Color eval_diffuse(const Vec3& to_light) const;
-  /// Specular BRDF times the cosine (1/sr); 0 for a mirror and below the surface.
-  [[nodiscard]] Color eval_specular(const Vec3& to_light) const;
-  /// The density with which sample_reflection() returns a direction; 0 for a mirror.
-  [[nodiscard]] float reflection_pdf(const Vec3& to_light) const;
+  /// Part of even light from all around that the diffuse part returns to the viewer.
+  [[nodiscard]] Color ambient() const {
+    return std::visit([](const auto& model) { return model.ambient(); }, model_);
+  }
+  /// BRDF times the cosine (1/sr); 0 below the surface.
+  [[nodiscard]] Color eval_diffuse(const Vec3& to_light) const {
+    return std::visit([&](const auto& model) { return model.eval_diffuse(to_light); }, model_);
+  }
+  /// The same of the highlight; 0 for a mirror.
+  [[nodiscard]] Color eval_specular(const Vec3& to_light) const {
+    return std::visit([&](const auto& model) { return model.eval_specular(to_light); }, model_);
+  }
+  /// The density with which sample_reflection() returns a direction, where reflected rays look for
+  /// the same light as eval_specular; 0 for a mirror, and where highlights are a term of their own.
+  [[nodiscard]] float reflection_pdf(const Vec3& to_light) const {
+    const auto* gltf = std::get_if<GltfBsdf>(&model_);
+    return gltf != nullptr ? gltf->reflection_pdf(to_light) : 0.0f;
+  }
 
-  /// Draws from the specular layer; none when the direction drawn goes into the surface.
-  [[nodiscard]] std::optional<LobeSample> sample_reflection(Vec2 random) const;
-  /// Draws from the transmitted light: refracted at a solid, straight on through a thin sheet (both
-  /// spread by roughness). None where nothing is transmitted.
-  [[nodiscard]] std::optional<LobeSample> sample_transmission(Vec2 random) const;
+  /// Where a reflected ray goes; none when the direction drawn leads into the surface.
+  [[nodiscard]] std::optional<LobeSample> sample_reflection(Vec2 random) const {
+    return std::visit([&](const auto& model) { return model.sample_reflection(random); }, model_);
+  }
+  /// Where a transmitted ray goes; none where nothing is transmitted.
+  [[nodiscard]] std::optional<LobeSample> sample_transmission(Vec2 random) const {
+    const auto* gltf = std::get_if<GltfBsdf>(&model_);
+    return gltf != nullptr ? gltf->sample_transmission(random)
+                           : std::get<PhongBsdf>(model_).sample_transmission();
+  }
 
-  [[nodiscard]] bool has_diffuse() const { return max_component(diffuse_) > 0.0f; }
-  /// What the specular layer reflects at the macroscopic normal, to decide whether a reflection ray
-  /// is worth tracing.
-  [[nodiscard]] Color reflectance_estimate() const;
-  [[nodiscard]] const Color& transmission_color() const { return transmission_; }
+  [[nodiscard]] bool has_diffuse() const {
+    return std::visit([](const auto& model) { return model.has_diffuse(); }, model_);
+  }
+  /// About what a reflected and a transmitted ray count for, to decide if they are worth tracing.
+  [[nodiscard]] Color reflection_color() const {
+    return std::visit([](const auto& model) { return model.reflection_color(); }, model_);
+  }
+  [[nodiscard]] Color transmission_color() const {
+    return std::visit([](const auto& model) { return Color(model.transmission_color()); }, model_);
+  }
 
  private:
-  [[nodiscard]] bool is_mirror() const { return alpha_ < k_mirror_alpha; }
-  [[nodiscard]] Color fresnel(float cosine) const;
-  [[nodiscard]] Vec3 sample_half_vector(Vec2 random) const;
-
-  /// Below this width (roughness 0.03) the lobe is narrower than half a degree, and in float its
-  /// density is more noise than number: the surface is a mirror.
-  static constexpr float k_mirror_alpha = 1e-3f;
-
-  geometry::Frame frame_;
-  Vec3 to_viewer_{0.0f};    ///< local
-  Color diffuse_{0.0f};     ///< albedo under the specular layer
-  float layer_f0_ = 0.04f;  ///< reflectance of the dielectric layer over it, at normal incidence
-  float layer_f90_ = 1.0f;  ///< and at grazing incidence
-  Color transmission_{0.0f};
-  Color f0_{0.0f};  ///< of dielectric and metal mixed
-  Color f90_{1.0f};
-  float alpha_ = 1.0f;
-  float eta_ = 1.0f;  ///< index of refraction on the viewer's side over the other side
-  bool solid_ = false;
+  using Model = std::variant<GltfBsdf, PhongBsdf>;
+  Model model_;
 };
 
-/// Part of the light that goes straight through a surface at this angle: what a shadow ray loses.
-/// `cosine` is that of the angle with the normal.
-[[nodiscard]] Color straight_transmittance(const MaterialPoint& point, float cosine);
+/// Part of the light that goes straight through a surface: what a shadow ray keeps. `cosine` is
+/// that of the angle with the normal.
+[[nodiscard]] inline Color straight_transmittance(const MaterialPoint& point, float cosine) {
+  return point.material->phong ? phong_straight_transmittance(point, cosine)
+                               : gltf_straight_transmittance(point, cosine);
+}
 
 }  // namespace lume::shading

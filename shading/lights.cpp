@@ -7,11 +7,14 @@
 namespace lume::shading {
 namespace {
 
-/// 1 / d^2, brought to 0 at the range (KHR_lights_punctual, "Range Property").
-float distance_attenuation(float distance, float range) {
-  const float ratio = distance / range;  // 0 for an infinite range
+/// 1 / d^2, or the course's f_att, brought to 0 at the range (KHR_lights_punctual, "Range
+/// Property").
+float distance_attenuation(const PunctualLight& light, float distance) {
+  const float ratio = distance / light.range;  // 0 for an infinite range
   const float window = std::clamp(1.0f - ratio * ratio * ratio * ratio, 0.0f, 1.0f);
-  return window / (distance * distance);
+  if (!light.attenuation) return window / (distance * distance);
+  const Vec3& c = *light.attenuation;
+  return window * std::min(1.0f, 1.0f / (c.x + distance * (c.y + distance * c.z)));
 }
 
 /// Falls from 1 at the inner to 0 at the outer cone as the extension's reference code has it: the
@@ -35,7 +38,7 @@ Incidence illuminate(const PunctualLight& light, const Vec3& point) {
   const float distance = length(offset);
   if (!(distance > 0.0f)) return {};
   Incidence result{.to_light = offset / distance, .distance = distance};
-  result.illuminance = light.intensity * distance_attenuation(distance, light.range);
+  result.illuminance = light.intensity * distance_attenuation(light, distance);
   if (light.kind == PunctualLight::Kind::spot) {
     result.illuminance *= cone_attenuation(light, result.to_light);
   }

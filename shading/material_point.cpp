@@ -14,8 +14,9 @@ const Material& material_of(const Scene& scene, const SurfacePoint& point) {
 
 Vec4 read(const Scene& scene, const TextureUse& use, Encoding encoding, Vec2 texcoord) {
   const Texture& texture = scene.textures[use.texture];
-  return sample_texture(texture, scene.images[texture.image], encoding,
-                        use.transform.apply(texcoord));
+  const Vec2 uv = use.transform.apply(texcoord);
+  if (texture.checker) return texture.checker->value(uv);
+  return sample_texture(texture, scene.images[texture.image], encoding, uv);
 }
 
 Vec4 read(const Scene& scene, const TextureUse& use, Encoding encoding, const SurfacePoint& point) {
@@ -46,6 +47,22 @@ Vec3 mapped_normal(const Scene& scene, const Material& material, const SurfacePo
   const Vec3 normal = frame.to_world(local);
   const float size = length(normal);
   return size > 1e-6f ? normal / size : point.normal;
+}
+
+/// What the metallic-roughness model needs besides the base colour.
+void add_microfacet_factors(const Scene& scene, const Material& material, const SurfacePoint& point,
+                            MaterialPoint& result) {
+  result.metallic = material.metallic;
+  result.roughness = material.roughness;
+  if (material.metallic_roughness_texture) {
+    const Vec4 texel = read(scene, material.metallic_roughness_texture, Encoding::linear, point);
+    result.metallic *= texel.z;
+    result.roughness *= texel.y;
+  }
+  result.transmission = material.transmission;
+  if (material.transmission_texture) {
+    result.transmission *= read(scene, material.transmission_texture, Encoding::linear, point).x;
+  }
 }
 
 /// A viewer behind the horizon of an interpolated or mapped normal would see nothing but darkness:
@@ -91,17 +108,7 @@ MaterialPoint evaluate_material(const Scene& scene, const SurfacePoint& point,
   const Vec4 base_color = evaluate_base_color(scene, point);
   result.base_color = Color(base_color);
   result.coverage = base_color.w;
-  result.metallic = material.metallic;
-  result.roughness = material.roughness;
-  if (material.metallic_roughness_texture) {
-    const Vec4 texel = read(scene, material.metallic_roughness_texture, Encoding::linear, point);
-    result.metallic *= texel.z;
-    result.roughness *= texel.y;
-  }
-  result.transmission = material.transmission;
-  if (material.transmission_texture) {
-    result.transmission *= read(scene, material.transmission_texture, Encoding::linear, point).x;
-  }
+  if (!material.phong) add_microfacet_factors(scene, material, point, result);
   if (material.occlusion_texture) {
     const float texel = read(scene, material.occlusion_texture, Encoding::linear, point).x;
     result.occlusion = 1.0f + material.occlusion_strength * (texel - 1.0f);

@@ -22,6 +22,10 @@ struct Scene {
   std::vector<Material> materials;  ///< Mesh::material points here
   std::vector<PunctualLight> lights;
   std::vector<geometry::Camera> cameras;
+  /// L_a, the course's ambient light: radiance (nits) that reaches every place from all around.
+  Color ambient{0.0f};
+  /// What rays that leave the scene see where no environment is drawn (nits). It lights nothing.
+  std::optional<Color> background;
   std::optional<Environment> environment;
   /// World position of the scene frame's origin (metres). Zero for a scene around the world's own
   /// origin; one that lies far away is moved near zero, where floats are dense. All positions in

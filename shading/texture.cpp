@@ -139,6 +139,13 @@ const float* srgb_table() {
 
 }  // namespace
 
+Vec4 Checker::value(Vec2 uv) const {
+  // Halves of whole numbers are exact, and so the parity is found without a conversion to integers,
+  // which might overflow.
+  const float half = 0.5f * (std::floor(checks.x * uv.x) + std::floor(checks.y * uv.y));
+  return colors[half == std::floor(half) ? 0 : 1];
+}
+
 Vec2 TextureTransform::apply(Vec2 uv) const {
   if (rotation == 0.0f) return offset + scale * uv;  // by far the most common
   return offset + linear() * uv;

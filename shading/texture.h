@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 namespace lume::shading {
@@ -13,12 +14,22 @@ namespace lume::shading {
 enum class Wrap { repeat, mirrored_repeat, clamp_to_edge };
 enum class Filter { nearest, linear };
 
-/// An image with the sampler that reads it (a glTF texture).
+/// Squares in two colours (extension LUME_texture_checker).
+struct Checker {
+  std::array<Vec4, 2> colors{Vec4(1.0f), Vec4(0.0f, 0.0f, 0.0f, 1.0f)};  ///< linear RGBA
+  Vec2 checks{2.0f};  ///< squares across the unit of u and of v
+
+  /// The first colour where floor(checks.x u) + floor(checks.y v) is even, else the second.
+  [[nodiscard]] Vec4 value(Vec2 uv) const;
+};
+
+/// An image with the sampler that reads it (a glTF texture), or a formula in its place.
 struct Texture {
-  std::uint32_t image = 0;  ///< index into Scene::images
+  std::uint32_t image = 0;  ///< index into Scene::images; of no meaning beside a checker
   Wrap wrap_u = Wrap::repeat;
   Wrap wrap_v = Wrap::repeat;
   Filter filter = Filter::linear;
+  std::optional<Checker> checker = std::nullopt;
 };
 
 /// KHR_texture_transform: uv' = translate * rotate * scale * uv.

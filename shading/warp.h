@@ -18,4 +18,16 @@ namespace lume::shading {
           std::sqrt(std::max(0.0f, 1.0f - random.x))};
 }
 
+/// A direction on the hemisphere around +z with density (n + 1) / (2 pi) cos^n(theta) per steradian
+/// (Phong's lobe; Lafortune and Willems 1994, "Using the Modified Phong Reflectance Model for
+/// Physically Based Rendering", section 3). An infinite n gives +z itself.
+[[nodiscard]] inline geometry::Vec3 sample_cosine_power(geometry::Vec2 random, float n) {
+  // cos(theta) = (1 - random)^(1 / (n + 1)) by its logarithm: for a large n the cosine is so near 1
+  // that 1 - cosine^2 would say little about the sine.
+  const float log_cosine = std::log1p(-random.x) / (n + 1.0f);
+  const float sine = std::sqrt(-std::expm1(2.0f * log_cosine));
+  const float phi = 2.0f * geometry::k_pi * random.y;
+  return {sine * std::cos(phi), sine * std::sin(phi), std::exp(log_cosine)};
+}
+
 }  // namespace lume::shading

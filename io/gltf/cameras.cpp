@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/gltf/cameras.h"
 
+#include "io/gltf/phong.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -102,11 +104,12 @@ std::vector<Camera> read_cameras(const JsonView& root) {
   return cameras;
 }
 
-std::vector<PunctualLight> read_lights(const JsonView& root) {
+std::vector<PunctualLight> read_lights(const JsonView& root, Notes& notes) {
   std::vector<PunctualLight> lights;
   if (const std::optional<JsonView> extension = root.extension("KHR_lights_punctual")) {
     for (const JsonView& json : extension->items("lights")) {
       lights.push_back(read_light(json));
+      read_phong_light(json, fmt::format("light {}", lights.size() - 1), lights.back(), notes);
     }
   }
   return lights;

@@ -4,6 +4,7 @@
 
 #include "geometry/camera.h"
 #include "io/gltf/json_view.h"
+#include "io/gltf/notes.h"
 #include "shading/lights.h"
 
 #include <optional>
@@ -15,7 +16,7 @@ namespace lume::io::gltf {
 [[nodiscard]] std::vector<geometry::Camera> read_cameras(const JsonView& root);
 
 /// All lights of KHR_lights_punctual, at the origin. Throws Error(scene).
-[[nodiscard]] std::vector<shading::PunctualLight> read_lights(const JsonView& root);
+[[nodiscard]] std::vector<shading::PunctualLight> read_lights(const JsonView& root, Notes& notes);
 
 /// The camera at the origin of `world`, with an orthonormal frame whatever the scale of the matrix:
 /// backward and up keep their sense, so that a mirrored node does not mirror the picture. Nothing

@@ -41,7 +41,9 @@ constexpr auto k_known = std::to_array<KnownExtension>({
     {"KHR_texture_basisu", Support::partial, "only the PNG or JPEG fallback is read"},
     {"KHR_texture_transform", Support::full, ""},
     {"KHR_xmp_json_ld", Support::ignored, "the metadata are not kept"},
+    {"LUME_materials_phong", Support::full, ""},
     {"LUME_shape", Support::full, ""},
+    {"LUME_texture_checker", Support::full, ""},
 });
 
 const KnownExtension* find_known(std::string_view name) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "io/gltf/checker.h"
 #include "io/gltf/guards.h"
 
 #include <fmt/format.h>
@@ -48,6 +49,7 @@ void check_texture(const JsonView& texture, std::size_t samplers, std::size_t im
       static_cast<void>(extension->index_of("source", images, "images"));
     }
   }
+  static_cast<void>(find_checker(texture));
 }
 
 }  // namespace

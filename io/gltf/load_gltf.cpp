@@ -6,6 +6,7 @@
 #include "io/gltf/materials.h"
 #include "io/gltf/nodes.h"
 #include "io/gltf/notes.h"
+#include "io/gltf/phong.h"
 #include "io/gltf/scene_builder.h"
 #include "io/gltf/textures.h"
 
@@ -33,7 +34,8 @@ LoadedScene load_gltf(const std::filesystem::path& path, const LoadOptions& opti
   result.scene_names = gltf::scene_names(document);
   result.scene_index = gltf::choose_scene(document, options.scene);
 
-  gltf::TextureTable textures(document);
+  gltf::read_phong_scenes(root, result.scene_index, result.scene, notes);
+  gltf::TextureTable textures(document, notes);
   result.scene.materials = gltf::read_materials(root, textures, notes);
   const auto nodes = gltf::flatten(document, gltf::root_nodes(document, result.scene_index));
   gltf::build_scene(document, nodes, options.tessellated, result.scene, notes);

@@ -2,6 +2,8 @@
 // The metallic-roughness material (glTF 2.0, section 3.9) and its extensions.
 #include "io/gltf/materials.h"
 
+#include "io/gltf/phong.h"
+
 #include <fmt/format.h>
 
 #include <optional>
@@ -136,6 +138,7 @@ std::vector<Material> read_materials(const JsonView& root, TextureTable& texture
     read_surface(json, material, textures);
     read_alpha(json, material);
     read_extensions(json, material, textures, notes);
+    read_phong_material(json, material, notes);
     materials.push_back(std::move(material));
   }
   return materials;

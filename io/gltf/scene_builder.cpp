@@ -78,7 +78,7 @@ class Builder {
   }
 
   void place_lights(const std::vector<PlacedNode>& nodes) {
-    const std::vector<shading::PunctualLight> lights = read_lights(document_.root());
+    const std::vector<shading::PunctualLight> lights = read_lights(document_.root(), notes_);
     if (lights.empty()) {
       return;
     }

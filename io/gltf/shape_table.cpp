@@ -2,11 +2,10 @@
 #include "io/gltf/shape_table.h"
 
 #include "io/gltf/shape_types.h"
+#include "io/gltf/unknown_properties.h"
 #include "io/nearest_name.h"
 
 #include <fmt/format.h>
-
-#include <algorithm>
 
 namespace lume::io::gltf {
 namespace {
@@ -18,21 +17,6 @@ namespace {
   }
   const std::string name = type.text().substr(0, 40);
   type.fail("there is no shape '" + name + "'" + list_names(name, names));
-}
-
-/// A property that nobody reads is most likely a mistyped one.
-void note_unknown_properties(const JsonView& parameters, const ShapeType& type,
-                             const std::string& subject, Notes& notes) {
-  const std::vector<std::string> known(type.properties.begin(), type.properties.end());
-  for (const std::string& key : parameters.keys()) {
-    if (key == "extensions" || key == "extras" ||
-        std::find(known.begin(), known.end(), key) != known.end()) {
-      continue;
-    }
-    const std::string name = key.substr(0, 40);
-    notes.add(subject, fmt::format("'{}' is no property of '{}' and is not read{}", name, type.name,
-                                   list_names(name, known)));
-  }
 }
 
 }  // namespace
@@ -67,7 +51,8 @@ ShapeTable::ShapeTable(const JsonView& root, Notes& notes) {
     }
     const JsonView parameters =
         type->needs_parameters ? json.require(type->name) : json.find_or_empty(type->name);
-    note_unknown_properties(parameters, *type, label, notes);
+    note_unknown_properties(parameters, fmt::format("'{}'", type->name), type->properties, label,
+                            notes);
     entry.shape = type->read(parameters);
     entry.double_sided = type->name == "plane" && parameters.boolean_or("doubleSided", false);
   }

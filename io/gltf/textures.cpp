@@ -2,6 +2,7 @@
 #include "io/gltf/textures.h"
 
 #include "geometry/parallel.h"
+#include "io/gltf/checker.h"
 #include "io/gltf/resources.h"
 #include "io/image_io.h"
 
@@ -82,8 +83,9 @@ shading::Image load_image(const Document& document, std::size_t index, const Jso
 
 }  // namespace
 
-TextureTable::TextureTable(const Document& document)
+TextureTable::TextureTable(const Document& document, Notes& notes)
     : document_(&document),
+      notes_(&notes),
       gltf_textures_(document.root().items("textures")),
       gltf_images_(document.root().items("images")) {}
 
@@ -96,17 +98,18 @@ std::uint32_t TextureTable::use_image(std::size_t gltf_image) {
   return it->second;
 }
 
-std::uint32_t TextureTable::use(std::size_t gltf_texture) {
-  const auto [it, is_new] = by_texture_.try_emplace(gltf_texture, shading::TextureUse::k_none);
-  if (!is_new) {
-    return it->second;
-  }
-  const std::optional<std::size_t> image =
-      image_of(gltf_textures_[gltf_texture], gltf_images_.size());
-  if (!image) {
-    return it->second;
-  }
+std::optional<shading::Texture> TextureTable::read_texture(std::size_t gltf_texture) {
+  const JsonView& json = gltf_textures_[gltf_texture];
   shading::Texture result;
+  result.checker = find_checker(json);
+  if (result.checker) {
+    note_unknown_checker_properties(json, fmt::format("texture {}", gltf_texture), *notes_);
+    return result;  // an image beside it is for other viewers
+  }
+  const std::optional<std::size_t> image = image_of(json, gltf_images_.size());
+  if (!image) {
+    return std::nullopt;
+  }
   result.image = use_image(*image);
   if (const int sampler = document_->model.textures[gltf_texture].sampler; sampler >= 0) {
     const tinygltf::Sampler& gltf = document_->model.samplers[static_cast<std::size_t>(sampler)];
@@ -115,8 +118,18 @@ std::uint32_t TextureTable::use(std::size_t gltf_texture) {
     result.filter = gltf.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST ? shading::Filter::nearest
                                                                       : shading::Filter::linear;
   }
-  it->second = static_cast<std::uint32_t>(textures_.size());
-  textures_.push_back(result);
+  return result;
+}
+
+std::uint32_t TextureTable::use(std::size_t gltf_texture) {
+  const auto [it, is_new] = by_texture_.try_emplace(gltf_texture, shading::TextureUse::k_none);
+  if (!is_new) {
+    return it->second;
+  }
+  if (const std::optional<shading::Texture> texture = read_texture(gltf_texture)) {
+    it->second = static_cast<std::uint32_t>(textures_.size());
+    textures_.push_back(*texture);
+  }
   return it->second;
 }
 

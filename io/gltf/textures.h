@@ -2,10 +2,12 @@
 #pragma once
 
 #include "io/gltf/document.h"
+#include "io/gltf/notes.h"
 #include "shading/image.h"
 #include "shading/texture.h"
 
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace lume::io::gltf {
@@ -14,10 +16,10 @@ namespace lume::io::gltf {
 /// uses is not loaded.
 class TextureTable {
  public:
-  explicit TextureTable(const Document& document);
+  TextureTable(const Document& document, Notes& notes);
 
-  /// The scene's number for the glTF texture; TextureUse::k_none if that has no image. Throws
-  /// Error(scene) if its image is in a format that Lume cannot read.
+  /// The scene's number for the glTF texture; TextureUse::k_none if that has neither an
+  /// image nor a checker. Throws Error(scene) if its image is in a format that Lume cannot read.
   std::uint32_t use(std::size_t gltf_texture);
 
   /// The number of textures in the file.
@@ -27,9 +29,12 @@ class TextureTable {
   [[nodiscard]] std::vector<shading::Image> load_images(bool decode) const;
 
  private:
+  /// Nothing for a texture without an image.
+  [[nodiscard]] std::optional<shading::Texture> read_texture(std::size_t gltf_texture);
   [[nodiscard]] std::uint32_t use_image(std::size_t gltf_image);
 
   const Document* document_;
+  Notes* notes_;
   std::vector<JsonView> gltf_textures_;
   std::vector<JsonView> gltf_images_;
   std::vector<shading::Texture> textures_;

@@ -31,7 +31,7 @@ std::string camera_label(const shading::Scene& scene, const Camera& camera) {
   return is_named ? fmt::format("{} '{}'", label, printable(camera.name)) : label;
 }
 
-CameraChoice orbit_camera(const shading::Scene& scene, const RenderOptions& options) {
+CameraChoice orbit_camera(const shading::Scene& scene, const ViewOptions& options) {
   const geometry::Bounds bounds = scene.world.bounds();
   const Vec3 center = bounds.is_empty() ? Vec3(0.0f) : bounds.center();
   // What is typed is in the world; the scene's frame may lie elsewhere.
@@ -44,7 +44,7 @@ CameraChoice orbit_camera(const shading::Scene& scene, const RenderOptions& opti
           fmt::format("on an orbit around {}", format_vector(DVec3(target) + scene.origin))};
 }
 
-CameraChoice framing_camera(const shading::Scene& scene, const RenderOptions& options,
+CameraChoice framing_camera(const shading::Scene& scene, const ViewOptions& options,
                             float image_aspect) {
   const geometry::Bounds bounds = scene.world.bounds();
   CameraChoice choice{Camera(), "framing the scene"};
@@ -57,7 +57,7 @@ CameraChoice framing_camera(const shading::Scene& scene, const RenderOptions& op
 
 }  // namespace
 
-const Camera* find_file_camera(const shading::Scene& scene, const RenderOptions& options) {
+const Camera* find_file_camera(const shading::Scene& scene, const ViewOptions& options) {
   if (options.orbit) return nullptr;
   const std::vector<Camera>& cameras = scene.cameras;
   if (!options.camera) return cameras.empty() ? nullptr : cameras.data();
@@ -79,7 +79,7 @@ const Camera* find_file_camera(const shading::Scene& scene, const RenderOptions&
   throw UsageError(unknown_name("camera", wanted, names));
 }
 
-ImageSize choose_size(const RenderOptions& options, float camera_aspect) {
+ImageSize choose_size(const ViewOptions& options, float camera_aspect) {
   constexpr int k_default_width = 1280;
   const bool has_shape = std::isfinite(camera_aspect) && camera_aspect > 0.0f;
   const double aspect = has_shape ? static_cast<double>(camera_aspect) : 16.0 / 9.0;
@@ -92,10 +92,11 @@ ImageSize choose_size(const RenderOptions& options, float camera_aspect) {
   return {width, side(width / aspect)};
 }
 
-shading::PixelRegion choose_region(const RenderOptions& options, const ImageSize& size) {
+shading::PixelRegion choose_region(const std::optional<shading::PixelRegion>& crop,
+                                   const ImageSize& size) {
   constexpr std::int64_t k_max_pixels = std::int64_t{1} << 28;  // 4 GiB of RGBA floats
   const shading::PixelRegion region =
-      options.crop.value_or(shading::PixelRegion{0, 0, size.width, size.height});
+      crop.value_or(shading::PixelRegion{0, 0, size.width, size.height});
   if (region.x + region.width > size.width || region.y + region.height > size.height) {
     throw UsageError(fmt::format("--crop: {}x{}+{}+{} reaches outside the picture of {}x{} pixels",
                                  region.width, region.height, region.x, region.y, size.width,
@@ -110,7 +111,7 @@ shading::PixelRegion choose_region(const RenderOptions& options, const ImageSize
   return region;
 }
 
-CameraChoice choose_camera(const shading::Scene& scene, const RenderOptions& options,
+CameraChoice choose_camera(const shading::Scene& scene, const ViewOptions& options,
                            const Camera* file_camera, float image_aspect) {
   if (options.orbit) return orbit_camera(scene, options);
   if (file_camera == nullptr) return framing_camera(scene, options, image_aspect);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "renderer/cli/render_options.h"
+#include "renderer/cli/view_options.h"
 #include "shading/scene.h"
 
 #include <string>
@@ -19,15 +19,15 @@ struct ImageSize {
 /// The camera of the file that the options ask for by name or number, or its first; null if there
 /// is none or --orbit places one. Throws UsageError for one that is not there.
 [[nodiscard]] const geometry::Camera* find_file_camera(const shading::Scene& scene,
-                                                       const RenderOptions& options);
+                                                       const ViewOptions& options);
 
 /// What is not asked for follows from the camera's shape (width / height; 0: none, then 16:9).
 /// Throws UsageError for a picture or crop that is impossible or too large.
-[[nodiscard]] ImageSize choose_size(const RenderOptions& options, float camera_aspect);
+[[nodiscard]] ImageSize choose_size(const ViewOptions& options, float camera_aspect);
 
 /// The rectangle to render: the crop, or all of it. Throws UsageError if the crop leaves the
 /// picture.
-[[nodiscard]] shading::PixelRegion choose_region(const RenderOptions& options,
+[[nodiscard]] shading::PixelRegion choose_region(const std::optional<shading::PixelRegion>& crop,
                                                  const ImageSize& size);
 
 /// A camera and where it comes from, for the log.
@@ -37,7 +37,7 @@ struct CameraChoice {
 };
 
 /// The camera of the file if there is one, else one on the orbit or one that frames the scene.
-[[nodiscard]] CameraChoice choose_camera(const shading::Scene& scene, const RenderOptions& options,
+[[nodiscard]] CameraChoice choose_camera(const shading::Scene& scene, const ViewOptions& options,
                                          const geometry::Camera* file_camera, float image_aspect);
 
 }  // namespace lume::cli

@@ -22,16 +22,6 @@ std::string lower_extension(const std::filesystem::path& path) {
   return extension;
 }
 
-void check_camera_options(const RenderOptions& options) {
-  if (options.orbit && options.camera) {
-    throw UsageError("--orbit and --camera each choose a camera; give one of them");
-  }
-  if (options.target && !options.orbit) throw UsageError("--target needs --orbit");
-  if (options.orbit && !(options.orbit->z > 0.0)) {
-    throw UsageError("--orbit: the radius must be above 0");
-  }
-}
-
 using RoleAndPath = std::pair<std::string, std::filesystem::path>;
 
 /// One form for all spellings of a path, whether or not the file is there.
@@ -80,7 +70,7 @@ void check_render_options(const RenderOptions& options) {
     throw UsageError(fmt::format("no output given; try: lume render {} -o picture.png",
                                  shell_quote(printable(options.scene_file))));
   }
-  check_camera_options(options);
+  check_view_options(options);
   const bool any_exr = std::any_of(options.outputs.begin(), options.outputs.end(),
                                    [](const std::string& output) { return is_exr(output); });
   if (!options.aovs.empty() && !any_exr) {

@@ -69,6 +69,7 @@ Json light_to_json(const shading::PunctualLight& light, const geometry::DVec3& o
       {"radiometric_unit", directional ? "W/m^2" : "W/sr"}};
   if (!directional) {
     json["position"] = vector_to_json(geometry::DVec3(light.position) + origin);
+    if (light.attenuation) json["attenuation"] = vector_to_json(*light.attenuation);
     json["range_metres"] = std::isfinite(light.range) ? Json(light.range) : Json(nullptr);
   }
   if (light.kind != Kind::point) json["direction"] = vector_to_json(light.direction);

@@ -71,6 +71,9 @@ std::string describe_light(const shading::PunctualLight& light, const geometry::
     text += fmt::format(", cone {:.4g} to {:.4g} deg", degrees(light.inner_cone),
                         degrees(light.outer_cone));
   }
+  if (light.attenuation) {
+    text += ", attenuation " + format_vector(geometry::DVec3(*light.attenuation));
+  }
   if (std::isfinite(light.range)) text += fmt::format(", range {:.4g} m", light.range);
   return text;
 }

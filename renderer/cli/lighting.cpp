@@ -22,16 +22,14 @@ bool is_lamp(const shading::Material& material) {
 }
 
 bool has_lamp(const shading::Scene& scene, const geometry::Object& object) {
-  return std::any_of(object.geometries.begin(), object.geometries.end(),
-                     [&](const geometry::Geometry& geometry) {
-                       const geometry::Mesh* mesh = geometry.mesh();  // shapes light nothing yet
-                       return mesh != nullptr && !mesh->triangles.empty() &&
-                              geometry.material < scene.materials.size() &&
-                              is_lamp(scene.materials[geometry.material]);
-                     });
+  return std::any_of(
+      object.geometries.begin(), object.geometries.end(), [&](const geometry::Geometry& geometry) {
+        return geometry.primitive_count() > 0 && geometry.material < scene.materials.size() &&
+               is_lamp(scene.materials[geometry.material]);
+      });
 }
 
-std::string use_environment_file(const RenderOptions& options, shading::Scene& scene) {
+std::string use_environment_file(const ViewOptions& options, shading::Scene& scene) {
   shading::Environment environment = io::read_environment(*options.environment);
   environment.rotate(options.environment_rotation * std::numbers::pi_v<float> / 180.0f);
   environment.scale(options.environment_intensity);
@@ -43,14 +41,16 @@ std::string use_environment_file(const RenderOptions& options, shading::Scene& s
 }  // namespace
 
 bool has_light(const shading::Scene& scene) {
-  if (!scene.lights.empty() || scene.environment) return true;
+  if (!scene.lights.empty() || scene.environment || scene.ambient != shading::Color(0.0f))
+    return true;
   const auto& instances = scene.world.instances;
   return std::any_of(instances.begin(), instances.end(), [&](const geometry::Instance& instance) {
     return has_lamp(scene, scene.world.objects[instance.object]);
   });
 }
 
-std::string light_scene(const RenderOptions& options, shading::Scene& scene) {
+std::string light_scene(const ViewOptions& options, shading::Scene& scene) {
+  if (options.ambient) scene.ambient = shading::Color(*options.ambient);
   if (options.environment) return use_environment_file(options, scene);
   if (options.background) {
     scene.environment = shading::Environment(shading::Color(*options.background));

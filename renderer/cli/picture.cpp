@@ -63,7 +63,7 @@ io::Picture make_picture(renderer::Film film, const ImageSize& size, bool full_f
     io::Layer written;
     written.channels.assign(info.channels.begin(), info.channels.end());
     written.pixels = std::move(layer.values);
-    written.full_precision = full_float || info.at_center;
+    written.full_precision = full_float || info.source == renderer::AovSource::center;
     picture.layers.push_back(std::move(written));
   }
   return picture;

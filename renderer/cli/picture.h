@@ -4,6 +4,7 @@
 
 #include "io/image_io.h"
 #include "renderer/cli/camera_choice.h"
+#include "renderer/cli/render_options.h"
 #include "renderer/film.h"
 #include "shading/scene.h"
 

@@ -3,11 +3,8 @@
 #include "renderer/render.h"
 
 #include "geometry/parallel.h"
-#include "io/gltf/load_gltf.h"
-#include "renderer/cli/camera_choice.h"
 #include "renderer/cli/commands.h"
 #include "renderer/cli/interrupt.h"
-#include "renderer/cli/lighting.h"
 #include "renderer/cli/output_name.h"
 #include "renderer/cli/picture.h"
 #include "renderer/cli/progress.h"
@@ -15,6 +12,7 @@
 #include "renderer/cli/render_stats.h"
 #include "renderer/cli/replay.h"
 #include "renderer/cli/text.h"
+#include "renderer/cli/view.h"
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
@@ -52,53 +50,9 @@ io::WriteOptions prepare_outputs(const RenderOptions& options) {
   return write;
 }
 
-void log_notes(const std::vector<std::string>& notes, const std::string& scene_file) {
-  constexpr std::size_t k_shown = 10;
-  for (std::size_t i = 0; i < std::min(notes.size(), k_shown); ++i) {
-    spdlog::info("note: {}", printable(notes[i]));
-  }
-  if (notes.size() > k_shown) {
-    spdlog::info("... and {} more; lume info {} lists them", notes.size() - k_shown,
-                 shell_quote(printable(scene_file)));
-  }
-}
-
-io::LoadedScene load_scene(const RenderOptions& options) {
-  io::LoadOptions load;
-  load.scene = options.scene;
-  load.tessellated = options.tessellated;
-  io::LoadedScene loaded = io::load_gltf(options.scene_file, load);
-  log_notes(loaded.notes, options.scene_file);
-  return loaded;
-}
-
-/// From where and on which pixels the scene is seen.
-struct Viewpoint {
-  ImageSize size;
-  shading::PixelRegion region;
-  CameraChoice camera;
-};
-
-Viewpoint choose_viewpoint(const shading::Scene& scene, const RenderOptions& options) {
-  const geometry::Camera* file_camera = find_file_camera(scene, options);
-  Viewpoint viewpoint;
-  viewpoint.size = choose_size(options, file_camera != nullptr ? file_camera->aspect : 0.0f);
-  viewpoint.region = choose_region(options, viewpoint.size);
-  viewpoint.camera = choose_camera(scene, options, file_camera, viewpoint.size.aspect());
-  return viewpoint;
-}
-
-renderer::RenderSettings make_settings(const RenderOptions& options, const Viewpoint& viewpoint) {
-  const auto filters = renderer::PixelFilter::names();
-  const auto kind = std::find(filters.begin(), filters.end(), options.filter) - filters.begin();
-  renderer::RenderSettings settings;
-  settings.width = viewpoint.size.width;
-  settings.height = viewpoint.size.height;
-  settings.region = viewpoint.region;
-  settings.spp = options.spp;
-  settings.seed = options.seed;
-  settings.filter =
-      renderer::PixelFilter(static_cast<renderer::PixelFilter::Kind>(kind), options.filter_radius);
+renderer::RenderSettings render_settings(const RenderOptions& options, const ImageSize& size) {
+  renderer::RenderSettings settings{
+      pixel_settings(options, size), choose_region(options.crop, size), {}};
   for (const renderer::AovInfo& info : renderer::aov_infos()) {
     const bool asked =
         std::find(options.aovs.begin(), options.aovs.end(), info.name) != options.aovs.end();
@@ -108,18 +62,17 @@ renderer::RenderSettings make_settings(const RenderOptions& options, const Viewp
 }
 
 renderer::RenderResult trace(const renderer::PreparedScene& prepared, const RenderOptions& options,
-                             const Viewpoint& viewpoint) {
-  renderer::IntegratorSettings depth;
-  depth.max_depth = options.max_depth;
-  const auto integrator = renderer::make_integrator(options.integrator, prepared, depth);
+                             const renderer::RenderSettings& settings,
+                             const geometry::Camera& camera) {
+  const auto integrator =
+      renderer::make_integrator(options.integrator, prepared, integrator_settings(options));
   Progress progress(stderr, options.verbosity == Verbosity::quiet ? Progress::Style::none
                                                                   : Progress::style_for(stderr));
   const Stopwatch watch;
   renderer::RenderControl control;
   control.on_progress = [&](double fraction) { progress.update(fraction, watch.elapsed()); };
   control.cancel = &InterruptGuard::flag();
-  return renderer::render_image(prepared, viewpoint.camera.camera, *integrator,
-                                make_settings(options, viewpoint), control);
+  return renderer::render_image(prepared, camera, *integrator, settings, control);
 }
 
 void write_pictures(const RenderOptions& options, const io::WriteOptions& write,
@@ -131,9 +84,8 @@ void write_pictures(const RenderOptions& options, const io::WriteOptions& write,
   }
 }
 
-void log_plan(const RenderOptions& options, const Viewpoint& viewpoint, const std::string& light,
-              unsigned threads) {
-  const shading::PixelRegion& region = viewpoint.region;
+void log_plan(const RenderOptions& options, const Viewpoint& viewpoint,
+              const shading::PixelRegion& region, const std::string& light, unsigned threads) {
   const std::string part = options.crop ? fmt::format(" (of it {}x{}+{}+{})", region.width,
                                                       region.height, region.x, region.y)
                                         : "";
@@ -141,6 +93,16 @@ void log_plan(const RenderOptions& options, const Viewpoint& viewpoint, const st
   spdlog::info("{}x{} pixels{}, {} samples each, {} on {}, {} thread{}", viewpoint.size.width,
                viewpoint.size.height, part, options.spp, options.integrator, options.accelerator,
                threads, threads == 1 ? "" : "s");
+}
+
+void log_unsampled_emitters(const shading::Scene& scene) {
+  const std::vector<geometry::Hit> emitters = renderer::unsampled_emitters(scene);
+  if (emitters.empty()) return;
+  spdlog::info(
+      "note: {} emissive surfaces (a {}) are seen but light nothing; meshes, spheres, rectangles "
+      "and "
+      "disks do",
+      emitters.size(), geometry::shape_name(*scene.world.geometry(emitters.front()).shape()));
 }
 
 void log_stats(const RenderStats& stats) {
@@ -178,7 +140,8 @@ ExitCode run_render(const RenderOptions& options) {
   RenderStats stats;
   Stopwatch watch;
   io::LoadedScene loaded = load_scene(options);
-  const Viewpoint viewpoint = choose_viewpoint(loaded.scene, options);
+  Viewpoint viewpoint = choose_viewpoint(loaded.scene, options);
+  const renderer::RenderSettings settings = render_settings(options, viewpoint.size);
   const std::string light = light_scene(options, loaded.scene);
   stats.load_seconds = watch.lap();
 
@@ -193,8 +156,10 @@ ExitCode run_render(const RenderOptions& options) {
     spdlog::warn("{} has no surfaces to show; only the backdrop is rendered",
                  printable(options.scene_file));
   }
-  log_plan(options, viewpoint, light, limit.threads());
-  renderer::RenderResult result = trace(prepared, options, viewpoint);
+  focus(viewpoint, options, prepared);
+  log_unsampled_emitters(loaded.scene);
+  log_plan(options, viewpoint, settings.region, light, limit.threads());
+  renderer::RenderResult result = trace(prepared, options, settings, viewpoint.camera.camera);
   stats.render_seconds = watch.lap();
 
   io::Picture picture = make_picture(std::move(result.film), viewpoint.size, options.full_float);

@@ -2,15 +2,12 @@
 // The options of `lume render`, group by group, as its help shows them.
 #include "renderer/cli/render_options.h"
 
-#include "geometry/accelerators/accelerator.h"
 #include "io/color.h"
 #include "renderer/aov.h"
 #include "renderer/cli/argument_parsing.h"
-#include "renderer/cli/exit_codes.h"
+#include "renderer/cli/option_kinds.h"
 #include "renderer/cli/suggest.h"
 #include "renderer/cli/text.h"
-#include "renderer/integrator.h"
-#include "renderer/pixel_filter.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -23,44 +20,13 @@
 namespace lume::cli {
 namespace {
 
-constexpr double k_max_coordinate = 1e12;  // metres; beyond it even doubles lose the millimetres
-constexpr double k_max_angle = 36000.0;    // degrees
-constexpr std::uint64_t k_max_side = 65535;
-
-/// An option whose text `parse` turns into the value. Its complaints get the option's name.
-template <class T, class Parse>
-CLI::Option* add_parsed(CLI::App& app, const std::string& name, T& value, Parse parse,
-                        const std::string& help) {
-  const std::function<void(const std::string&)> store = [name, &value,
-                                                         parse](const std::string& text) {
-    try {
-      value = parse(text);
-    } catch (const UsageError& error) {
-      throw UsageError(fmt::format("{}: {}", name, error.what()));
-    }
-  };
-  return app.add_option_function(name, store, help);
-}
-
 std::vector<std::string> aov_names() {
   std::vector<std::string> names;
   for (const renderer::AovInfo& info : renderer::aov_infos()) names.emplace_back(info.name);
   return names;
 }
 
-/// An option with one of a few names; the first one is the default.
-void add_choice(CLI::App& app, const std::string& option, std::string& value,
-                const std::string& what, const std::vector<std::string>& names,
-                const std::string& group) {
-  if (value.empty()) value = names.front();
-  app.add_option(option, value, fmt::format("{} ({})", list_names(names), value))
-      ->check(one_of(what, names))
-      ->type_name("NAME")
-      ->group(group);
-}
-
-void add_input_options(CLI::App& app, RenderOptions& options) {
-  app.add_option("SCENE", options.scene_file, "The scene: a .gltf or .glb file")->type_name("FILE");
+void add_part_options(CLI::App& app, RenderOptions& options) {
   app.add_option("-o,--output", options.outputs,
                  "Write a picture; its extension chooses the format. Repeats.")
       ->type_name("FILE")
@@ -68,61 +34,9 @@ void add_input_options(CLI::App& app, RenderOptions& options) {
       ->allow_extra_args(false)
       ->check(file_name())
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  app.add_option("--scene", options.scene, "Which scene of the file (the file's default)")
-      ->type_name("NAME|N");
-  app.add_flag("--tessellated", options.tessellated,
-               "Draw the triangles that stand in for analytic shapes in other viewers, instead "
-               "of the shapes");
-}
-
-void add_camera_options(CLI::App& app, RenderOptions& options) {
-  const std::string group = "Camera";
-  CLI::Option* camera =
-      app.add_option("--camera", options.camera,
-                     "Which camera of the file (its first, or one that frames the scene)");
-  camera->type_name("NAME|N")->group(group);
-  const auto triple = [](const std::string& text) { return parse_triple(text, k_max_coordinate); };
-  add_parsed(app, "--orbit", options.orbit, triple,
-             "A camera around the target: degrees about +y from +z, degrees from +y, metres")
-      ->type_name("THETA,PHI,RADIUS")
-      ->group(group);
-  add_parsed(app, "--target", options.target, triple,
-             "What --orbit looks at, in the world (centre of the scene)")
-      ->type_name("X,Y,Z")
-      ->group(group);
-  app.add_option("--fov", options.fov, "Vertical field of view of a perspective camera (45)")
-      ->check(real_between(0.01, 179.0))
-      ->type_name("DEGREES")
-      ->group(group);
-}
-
-void add_picture_options(CLI::App& app, RenderOptions& options) {
   const std::string group = "Picture";
-  app.add_option("--width", options.width, "Pixels (1280, or by the camera's shape)")
-      ->check(whole_between(1, k_max_side))
-      ->type_name("N")
-      ->group(group);
-  app.add_option("--height", options.height, "Pixels (by the camera's shape, or 16:9)")
-      ->check(whole_between(1, k_max_side))
-      ->type_name("N")
-      ->group(group);
   add_parsed(app, "--crop", options.crop, parse_crop, "Render this part of the picture only")
       ->type_name("WxH+X+Y")
-      ->group(group);
-  app.add_option("--spp", options.spp, "Samples a pixel (16)")
-      ->check(whole_between(1, 1u << 20u))
-      ->type_name("N")
-      ->group(group);
-  options.filter = "blackman-harris";
-  add_choice(app, "--filter", options.filter, "filter", to_strings(renderer::PixelFilter::names()),
-             group);
-  app.add_option("--filter-radius", options.filter_radius, "Pixels (by the filter)")
-      ->check(real_between(0.01, 32.0))
-      ->type_name("R")
-      ->group(group);
-  app.add_option("--seed", options.seed, "Another number, another noise (0)")
-      ->check(whole_between(0, std::numeric_limits<std::uint64_t>::max()))
-      ->type_name("N")
       ->group(group);
   add_parsed(
       app, "--aov", options.aovs,
@@ -130,54 +44,10 @@ void add_picture_options(CLI::App& app, RenderOptions& options) {
       fmt::format("More layers for EXR files: all, or of {}", list_names(aov_names())))
       ->type_name("LIST")
       ->group(group);
-}
-
-void add_method_options(CLI::App& app, RenderOptions& options) {
-  const std::string group = "Method";
-  add_choice(app, "--integrator", options.integrator, "integrator",
-             to_strings(renderer::integrator_names()), group);
-  app.add_option("--max-depth", options.max_depth, "Reflections and refractions in a row (5)")
-      ->check(whole_between(0, 100))  // each one is a level of recursion on the stack
-      ->type_name("N")
-      ->group(group);
-  add_choice(app, "--accelerator", options.accelerator, "accelerator",
-             to_strings(geometry::accelerator_names()), group);
   app.add_option("--threads", options.threads, "0: one for each core (0)")
       ->check(whole_between(0, 1024))
       ->type_name("N")
-      ->group(group);
-}
-
-void add_light_options(CLI::App& app, RenderOptions& options) {
-  const std::string group = "Light";
-  CLI::Option* file = app.add_option("--env", options.environment,
-                                     "Light from an equirectangular .hdr or .exr all around");
-  file->type_name("FILE")->group(group);
-  app.add_option("--env-rotate", options.environment_rotation,
-                 "Turn it counter-clockwise about +y (0)")
-      ->check(real_between(-k_max_angle, k_max_angle))
-      ->type_name("DEGREES")
-      ->group(group)
-      ->needs(file);
-  app.add_option("--env-intensity", options.environment_intensity, "Multiply it (1)")
-      ->check(real_between(0.0, 1e6))
-      ->type_name("F")
-      ->group(group)
-      ->needs(file);
-  app.add_flag("--env-hidden", options.environment_hidden,
-               "Light with it, but leave the backdrop transparent")
-      ->group(group)
-      ->needs(file);
-  const auto color = [](const std::string& text) {
-    const geometry::DVec3 value = parse_triple(text, 1e9);
-    if (value.x >= 0.0 && value.y >= 0.0 && value.z >= 0.0) return value;
-    throw UsageError(fmt::format("light cannot be negative, got '{}'", printable(text)));
-  };
-  add_parsed(app, "--background", options.background, color,
-             "The same light from everywhere instead: linear Rec.709, nits")
-      ->type_name("R,G,B")
-      ->group(group)
-      ->excludes(file);
+      ->group("Method");
 }
 
 void add_output_options(CLI::App& app, RenderOptions& options) {
@@ -209,14 +79,7 @@ void add_report_options(CLI::App& app, RenderOptions& options) {
   app.add_option("--stats", options.stats, "Write times, rays and memory as JSON")
       ->type_name("FILE")
       ->group(group);
-  CLI::Option* quiet = app.add_flag_callback(
-      "-q,--quiet", [&options] { options.verbosity = Verbosity::quiet; },
-      "Only warnings and errors");
-  quiet->group(group);
-  app.add_flag_callback(
-         "-v,--verbose", [&options] { options.verbosity = Verbosity::verbose; }, "More detail")
-      ->group(group)
-      ->excludes(quiet);
+  add_verbosity_options(app, options, group);
 }
 
 std::string views_text(const std::string& config) {
@@ -257,11 +120,8 @@ read or written, 6 infinite or NaN samples, 130 interrupted (what was done is wr
 void add_render_options(CLI::App& app, RenderOptions& options) {
   // Scripts put their defaults first and the user's arguments after them.
   app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-  add_input_options(app, options);
-  add_camera_options(app, options);
-  add_picture_options(app, options);
-  add_method_options(app, options);
-  add_light_options(app, options);
+  add_view_options(app, options);
+  add_part_options(app, options);
   add_output_options(app, options);
   add_report_options(app, options);
   app.footer([&options] { return views_text(options.ocio) + std::string(k_examples); });

@@ -32,6 +32,13 @@ std::string alpha_feature(const shading::Material& material) {
   return material.alpha_mode == shading::AlphaMode::blend ? "alpha blend" : "";
 }
 
+std::string phong_feature(const shading::Phong& phong) {
+  return fmt::format(
+      "Phong: k_a {:.3g}, k_d {:.3g}, k_s {:.3g}, n {:.4g}, k_r {:.3g}, k_t {:.3g}{}",
+      phong.ambient, phong.diffuse, phong.specular, phong.shininess, phong.reflection,
+      phong.transmission, phong.fresnel ? ", Fresnel" : "");
+}
+
 }  // namespace
 
 SceneCounts count_scene(const shading::Scene& scene) {
@@ -78,9 +85,15 @@ std::vector<std::string> material_features(const shading::Material& material) {
   };
   add(material.unlit, "unlit");
   add(bool(material.base_color_texture), "base color texture");
-  add(bool(material.metallic_roughness_texture), "metallic-roughness texture");
-  add(!material.metallic_roughness_texture && !material.unlit,
-      fmt::format("metallic {:.3g}, roughness {:.3g}", material.metallic, material.roughness));
+  if (material.phong) {
+    add(true, phong_feature(*material.phong));
+  } else {
+    add(bool(material.metallic_roughness_texture), "metallic-roughness texture");
+    add(!material.metallic_roughness_texture && !material.unlit,
+        fmt::format("metallic {:.3g}, roughness {:.3g}", material.metallic, material.roughness));
+    add(material.transmission > 0.0f, fmt::format("transmission {:.3g}", material.transmission));
+    add(bool(material.transmission_texture), "transmission texture");
+  }
   add(bool(material.normal_texture), "normal texture");
   add(bool(material.occlusion_texture), "occlusion texture");
   add(bool(material.emission_texture), "emission texture");
@@ -88,8 +101,6 @@ std::vector<std::string> material_features(const shading::Material& material) {
       fmt::format("emits up to {:.4g} nits", shading::max_component(material.emission)));
   add(true, alpha_feature(material));
   add(material.double_sided, "double-sided");
-  add(material.transmission > 0.0f, fmt::format("transmission {:.3g}", material.transmission));
-  add(bool(material.transmission_texture), "transmission texture");
   add(material.is_solid(), "solid (volume)");
   add(material.ior != 1.5f, fmt::format("ior {:.4g}", material.ior));
   return features;

@@ -1,15 +1,19 @@
 # SPDX-License-Identifier: Apache-2.0
 """All scenes by name. Each value is a function that builds one."""
 
-from . import (afternoon, light, museum, sphereflake, structure, surfaces, teapot, whitted)
+from . import (afternoon, cornell, desk_lamp, gems, light, museum, sphereflake, structure, surfaces,
+               teapot, whitted)
 
 SCENES = {
     "afternoon": afternoon.build,
     "alpha_modes": surfaces.alpha_modes,
     "attributes": structure.attributes,
     "cameras_and_lights": light.cameras_and_lights,
+    "cornell": cornell.build,
+    "desk_lamp": desk_lamp.build,
     "emissive": light.emissive,
     "far_away": structure.far_away,
+    "gems": gems.build,
     "glass": light.glass,
     "materials": surfaces.materials,
     "museum": museum.build,

@@ -7,7 +7,7 @@ import json
 import math
 import struct
 
-from .pictures import png
+from .pictures import png, srgb
 from .shapes import cross, sub, unit
 
 BYTE, UBYTE, SHORT, USHORT, UINT, FLOAT = 5120, 5121, 5122, 5123, 5125, 5126
@@ -104,14 +104,27 @@ class Gltf:
             samplers.append(sampler)
         return self._add("textures", {"source": picture, "sampler": samplers.index(sampler)})
 
+    def checker(self, colors, scale=(1, 1)):
+        """What a material has as a texture: two linear colours in squares, 2 by 2 of them in the
+        unit of u and v and so many times more. Other viewers see it as a picture."""
+        self.used |= {"KHR_texture_transform", "LUME_texture_checker"}
+        first, second = (srgb(color) for color in colors)
+        index = self.texture([[first, second], [second, first]], mag_filter=NEAREST)
+        self.json["textures"][index]["extensions"] = {
+            "LUME_texture_checker": {"colors": [list(color) for color in colors]}}
+        return {"index": index, "extensions": {"KHR_texture_transform": {"scale": list(scale)}}}
+
     def image(self, picture):
         uri = "data:image/png;base64," + base64.b64encode(png(picture)).decode()
         return self._add("images", {"uri": uri})
 
     def material(self, name, color=(1, 1, 1), roughness=0.5, metallic=0.0, alpha=1.0, emission=None,
-                 extensions=None, pbr=None, **more):
-        """`color` is linear, `emission` in nits; `pbr` adds to pbrMetallicRoughness."""
+                 extensions=None, pbr=None, phong=None, **more):
+        """`color` is linear, `emission` in nits; `pbr` adds to pbrMetallicRoughness; `phong` has
+        the coefficients that Lume takes in its place."""
         extensions = dict(extensions or {})
+        if phong:
+            extensions["LUME_materials_phong"] = phong
         material = {"name": name, "pbrMetallicRoughness": {
             "baseColorFactor": [*color, alpha], "metallicFactor": metallic,
             "roughnessFactor": roughness, **(pbr or {})}, **more}
@@ -187,15 +200,25 @@ class Gltf:
                          rotation=look_at(eye, target))
 
     def light(self, name, kind, color, intensity, eye=(0, 0, 0), target=(0, 0, -1), parent=None,
-              **more):
-        """KHR_lights_punctual: candela, or lux for a directional light."""
+              attenuation=None, **more):
+        """KHR_lights_punctual: candela, or lux for a directional light. `attenuation`: c1, c2 and
+        c3 of 1/(c1 + c2 d + c3 d^2), which Lume takes in place of 1/d^2."""
         self.used.add("KHR_lights_punctual")
+        if attenuation:
+            self.used.add("LUME_materials_phong")
+            more["extensions"] = {"LUME_materials_phong": {"attenuation": list(attenuation)}}
         lights = self.json.setdefault("extensions", {}).setdefault(
             "KHR_lights_punctual", {"lights": []})["lights"]
         lights.append({"name": name, "type": kind, "color": list(color), "intensity": intensity,
                        **more})
         return self.node(name, parent, translation=list(eye), rotation=look_at(eye, target),
                          extensions={"KHR_lights_punctual": {"light": len(lights) - 1}})
+
+    def surroundings(self, **colors):
+        """`ambient` light and the `background`, in nits."""
+        self.used.add("LUME_materials_phong")
+        self.json["scenes"][0].setdefault("extensions", {})["LUME_materials_phong"] = {
+            name: list(color) for name, color in colors.items()}
 
     # Analytic surfaces
 

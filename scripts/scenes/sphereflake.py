@@ -3,7 +3,7 @@
 with nine children of a third of its size, each with nine children of its own, and so on.
 
 Level n has (9^(n+1) - 1) / 8 spheres: 7,381 for level 4, 66,430 for 5, 597,871 for 6. They are
-instances of one mesh, whose primitive is a sphere shape. Its sky: --background .078,.361,.753
+instances of one mesh, whose primitive is a sphere shape.
 """
 
 import math
@@ -48,18 +48,20 @@ def build(level=4):
     spheres = list(flake((0.0, 0.0, 0.0), 0.5, (0.0, 0.0, 1.0), level))
     scene = Gltf(file_name="sphereflake.glb" if level == 4 else f"sphereflake_{len(spheres)}.glb")
     # Half matte, half a mirror.
-    pearl = scene.material("pearl", (1.0, 0.9, 0.7), 0.0, metallic=0.5)
+    pearl = scene.material("pearl", (1.0, 0.9, 0.7), 0.0, metallic=0.5, phong={
+        "ambientFactor": 0.0, "diffuseFactor": 0.5, "specularFactor": 0.5, "shininess": 12.0})
     ball = scene.primitive(shapes.sphere(1.0, 12, 6), pearl)
     mesh = scene.mesh("sphere", scene.bound(ball, scene.shape("sphere", radius=1)))
     scene.place_instances("sphereflake", mesh, [y_up(center) for center, _ in spheres],
                           [radius for _, radius in spheres])
-    sand = scene.material("sand", (1.0, 0.75, 0.33), 1.0, doubleSided=True)
+    sand = scene.material("sand", (1.0, 0.75, 0.33), 1.0, doubleSided=True,
+                          phong={"ambientFactor": 0.0})
     plane = scene.shape("plane", sizeX=40, sizeZ=40, doubleSided=True)
     scene.place_shape("floor", plane, sand, translation=[0, -0.5, 0])
-    # As bright at the origin as the original's lights, which do not fade with the distance.
-    for i, at in enumerate(LIGHTS):
-        intensity = math.pi * math.sqrt(1 / 3) * sum(c * c for c in at)
-        scene.light(f"light {i + 1}", "point", (1, 1, 1), intensity, y_up(at))
+    for i, at in enumerate(LIGHTS):  # they do not fade with the distance
+        scene.light(f"light {i + 1}", "point", (1, 1, 1), math.pi * math.sqrt(1 / 3), y_up(at),
+                    attenuation=(1, 0, 0))
+    scene.surroundings(background=(0.078, 0.361, 0.753))
     scene.camera("camera", y_up((2.1, 1.3, 1.7)), (0, 0, 0), yfov=45, aspect=1.0)
     return scene
 

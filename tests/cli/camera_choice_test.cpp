@@ -135,13 +135,13 @@ TEST(PictureSize, WhatIsNotGiven_FollowsFromTheShape) {
 
 TEST(PictureRegion, CropOutsideOrTooLarge_IsRefused) {
   RenderOptions options;
-  EXPECT_EQ(choose_region(options, {20, 10}), (shading::PixelRegion{0, 0, 20, 10}));
-  EXPECT_THROW((void)choose_region(options, {65535, 65535}), UsageError);
+  EXPECT_EQ(choose_region(options.crop, {20, 10}), (shading::PixelRegion{0, 0, 20, 10}));
+  EXPECT_THROW((void)choose_region(options.crop, {65535, 65535}), UsageError);
   options.crop = shading::PixelRegion{18, 9, 2, 1};
-  EXPECT_EQ(choose_region(options, {20, 10}), *options.crop);
-  EXPECT_EQ(choose_region(options, {65535, 65535}), *options.crop);
+  EXPECT_EQ(choose_region(options.crop, {20, 10}), *options.crop);
+  EXPECT_EQ(choose_region(options.crop, {65535, 65535}), *options.crop);
   options.crop = shading::PixelRegion{19, 9, 2, 1};
-  EXPECT_THROW((void)choose_region(options, {20, 10}), UsageError);
+  EXPECT_THROW((void)choose_region(options.crop, {20, 10}), UsageError);
 }
 
 TEST(WorldToCamera, RandomPoints_LandWhereTheCameraSeesThem) {

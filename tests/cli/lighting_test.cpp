@@ -59,7 +59,7 @@ TEST(Lighting, LampThatIsNotPlaced_DoesNotCount) {
 
 TEST(Lighting, Background_IsSeenAndLights) {
   shading::Scene scene = make_scene({});
-  RenderOptions options;
+  ViewOptions options;
   options.background = geometry::DVec3(0.25, 0.5, 1.0);
   light_scene(options, scene);
   ASSERT_TRUE(scene.environment && scene.environment->visible);

@@ -29,8 +29,9 @@ void write_exr(const std::filesystem::path& path, const renderer::Film& film) {
   picture.pixels = film.pixels;
   for (const renderer::Film::Layer& layer : film.layers) {
     const renderer::AovInfo& info = renderer::aov_infos()[static_cast<std::size_t>(layer.aov)];
-    picture.layers.push_back(
-        {{info.channels.begin(), info.channels.end()}, layer.values, info.at_center});
+    picture.layers.push_back({{info.channels.begin(), info.channels.end()},
+                              layer.values,
+                              info.source == renderer::AovSource::center});
   }
   io::write_picture(path, picture, {});
 }

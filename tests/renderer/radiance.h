@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace lume::renderer {
 
 /// Mean over many samples of what one ray brings back.
@@ -15,14 +17,15 @@ inline Radiance mean_radiance(const shading::Scene& scene, const geometry::Ray& 
   const PreparedScene prepared(scene, "embree");
   const auto integrator = make_integrator("whitted", prepared, {max_depth});
   Radiance mean;
-  RayCounts all;
+  Ledger all;
   for (int s = 0; s < samples; ++s) {
     const Radiance r =
         integrator->radiance(ray, Sampler(1, 0, 0, static_cast<std::uint32_t>(s)), all);
-    mean.color += r.color / static_cast<float>(samples);
+    mean.terms += Color(1.0f / static_cast<float>(samples)) * r.terms;
+    mean.depth = std::max(mean.depth, r.depth);
     mean.alpha += r.alpha / static_cast<float>(samples);
   }
-  if (counts != nullptr) *counts = all;
+  if (counts != nullptr) *counts = all.counts;
   return mean;
 }
 

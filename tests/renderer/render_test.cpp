@@ -203,14 +203,19 @@ TEST(RenderImage, Position_IsInTheWorldAlsoFarFromItsOrigin) {
   EXPECT_FLOAT_EQ(values[2], 0.25f);
 }
 
-/// Brings back NaN for one chosen sample.
+/// Brings back NaN for every seventh sample.
 class Broken final : public Integrator {
  public:
-  Radiance radiance(const geometry::Ray&, const Sampler&, RayCounts& counts) const override {
-    const bool broken = counts.camera++ % 7 == 3;
-    const float value = broken ? std::numeric_limits<float>::quiet_NaN() : 1.0f;
-    return {shading::Color(value), 1.0f};
+  Radiance radiance(const geometry::Ray&, const Sampler&, Ledger&) const override {
+    const bool broken = samples_++ % 7 == 3;
+    Radiance result;
+    result.terms.emitted = Color(broken ? std::numeric_limits<float>::quiet_NaN() : 1.0f);
+    result.alpha = 1.0f;
+    return result;
   }
+
+ private:
+  mutable int samples_ = 0;  // one tile, and so one thread
 };
 
 TEST(RenderImage, NonFiniteSamples_AreCountedLocatedAndLeftOut) {

@@ -27,7 +27,7 @@ TEST(Whitted, BlendedLayers_CoverByTheirAlpha) {
     pane.base_color = i == 0 ? Color(1, 0, 0) : Color(0, 1, 0);
   }
   const Radiance r = mean_radiance(scene, k_down_z);
-  expect_near(r.color, {0.75f * 0.25f, 0.25f, 0.0f}, 1e-6f);
+  expect_near(r.color(), {0.75f * 0.25f, 0.25f, 0.0f}, 1e-6f);
   EXPECT_NEAR(r.alpha, 0.25f + 0.75f * 0.25f, 1e-6f);
 }
 
@@ -36,10 +36,10 @@ TEST(Whitted, Backdrop_CountsAsCoverageOnlyWhenVisible) {
   EXPECT_EQ(mean_radiance(scene, k_down_z).alpha, 0.0f);
   scene.environment.emplace(Color(0.5f));
   EXPECT_EQ(mean_radiance(scene, k_down_z).alpha, 1.0f);
-  EXPECT_EQ(mean_radiance(scene, k_down_z).color, Color(0.5f));
+  EXPECT_EQ(mean_radiance(scene, k_down_z).color(), Color(0.5f));
   scene.environment->visible = false;
   EXPECT_EQ(mean_radiance(scene, k_down_z).alpha, 0.0f);
-  EXPECT_EQ(mean_radiance(scene, k_down_z).color, Color(0.0f));
+  EXPECT_EQ(mean_radiance(scene, k_down_z).color(), Color(0.0f));
 }
 
 TEST(Whitted, ThinPane_PassesWhatItDoesNotReflectTwice) {
@@ -52,8 +52,8 @@ TEST(Whitted, ThinPane_PassesWhatItDoesNotReflectTwice) {
   pane.transmission = 1.0f;
   pane.base_color = {1.0f, 0.5f, 0.25f};
   RayCounts counts;
-  expect_near(mean_radiance(scene, k_down_z, 1, 5, &counts).color, Color(1.0f, 0.5f, 0.25f) * 0.96f,
-              1e-5f);
+  expect_near(mean_radiance(scene, k_down_z, 1, 5, &counts).color(),
+              Color(1.0f, 0.5f, 0.25f) * 0.96f, 1e-5f);
   EXPECT_EQ(counts.camera, 1u);
   EXPECT_EQ(counts.refraction, 1u);
   EXPECT_EQ(counts.reflection, 1u);
@@ -92,7 +92,7 @@ TEST(Whitted, SolidSlab_ShiftsTheRayAndAbsorbsByBeerAndLambert) {
   const double leaves =
       1.0 - static_cast<double>(shading::fresnel_dielectric(static_cast<float>(cosine), 1.5f));
   // The internal reflections that come back down are worth under a percent and land elsewhere.
-  const float red = mean_radiance(scene, ray, 1, 2).color.x;
+  const float red = mean_radiance(scene, ray, 1, 2).color().x;
   EXPECT_NEAR(red, (x + 4.0) / 8.0 * absorbed * enters * leaves, 2e-4);
 }
 

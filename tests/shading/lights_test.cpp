@@ -59,6 +59,24 @@ TEST(PunctualLight, Spot_IsFullInsideAndDarkOutsideItsCones) {
   EXPECT_NEAR(at(0.45f), ramp * ramp, 1e-5f);
 }
 
+TEST(PunctualLight, Attenuation_IsTheCourses) {
+  PunctualLight light;
+  light.intensity = Color(2.0f);
+  light.position = {0, 5, 0};
+  light.attenuation = Vec3(0.5f, 0.25f, 0.125f);
+  const auto at = [&](float distance) {
+    return illuminate(light, {0, 5.0f - distance, 0}).illuminance.x;
+  };
+  EXPECT_FLOAT_EQ(at(2.0f), 2.0f / 1.5f);  // 0.5 + 0.25 * 2 + 0.125 * 4
+  EXPECT_FLOAT_EQ(at(4.0f), 2.0f / 3.5f);
+  EXPECT_EQ(at(0.5f), 2.0f) << "never more than the light has";
+  light.attenuation = Vec3(1.0f, 0.0f, 0.0f);
+  EXPECT_EQ(at(1.0f), 2.0f);
+  EXPECT_EQ(at(1000.0f), 2.0f) << "no falloff";
+  light.range = 2000.0f;
+  EXPECT_FLOAT_EQ(at(1000.0f), 2.0f * (1.0f - 0.0625f)) << "the range still ends it";
+}
+
 TEST(PunctualLight, PointAtTheLight_GetsNothing) {
   EXPECT_EQ(illuminate(PunctualLight{}, Vec3(0.0f)).illuminance, Color(0.0f));
 }

@@ -206,5 +206,21 @@ TEST(Image, MemoryBytes_CountsTexels) {
   EXPECT_EQ((Image{"", 2, 2, std::vector<float>(16)}).memory_bytes(), 64u);
 }
 
+TEST(Checker, Squares_AlternateByTheParityOfTheirPlace) {
+  Checker checker;
+  checker.colors = {Vec4(0.9f, 0.1f, 0.05f, 1.0f), Vec4(0.95f, 0.85f, 0.1f, 0.5f)};
+  checker.checks = {4.0f, 2.0f};
+  std::mt19937 engine(5);
+  std::uniform_real_distribution<float> coordinate(-50.0f, 50.0f);
+  for (int i = 0; i < 10000; ++i) {
+    const Vec2 uv(coordinate(engine), coordinate(engine));
+    const auto column = static_cast<long>(std::floor(4.0 * static_cast<double>(uv.x)));
+    const auto row = static_cast<long>(std::floor(2.0 * static_cast<double>(uv.y)));
+    const std::size_t color = ((column + row) % 2 + 2) % 2 == 0 ? 0 : 1;
+    ASSERT_EQ(checker.value(uv), checker.colors[color]) << uv.x << " " << uv.y;
+  }
+  EXPECT_EQ(checker.value({1e30f, 0.0f}), checker.colors[0]) << "far away all floats are even";
+}
+
 }  // namespace
 }  // namespace lume::shading

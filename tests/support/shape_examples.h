@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The files that docs/shapes.md shows, and the schemas beside it.
+// The files that pages in docs show, and the schemas beside them.
 #pragma once
 
 #include "tests/support/json_schema.h"
@@ -20,10 +20,10 @@ inline std::string read_text(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// Every ```json block of the page.
-inline std::vector<nlohmann::json> shape_examples() {
+/// Every ```json block of a page.
+inline std::vector<nlohmann::json> page_examples(const std::string& name) {
   const std::string start = "```json\n";
-  const std::string page = read_text(tests::source_dir() / "docs/shapes.md");
+  const std::string page = read_text(tests::source_dir() / "docs" / name);
   std::vector<nlohmann::json> examples;
   for (std::size_t at = page.find(start); at != std::string::npos; at = page.find(start, at)) {
     at += start.size();
@@ -31,6 +31,8 @@ inline std::vector<nlohmann::json> shape_examples() {
   }
   return examples;
 }
+
+inline std::vector<nlohmann::json> shape_examples() { return page_examples("shapes.md"); }
 
 /// Every shape of all examples.
 inline std::vector<nlohmann::json> example_shapes() {

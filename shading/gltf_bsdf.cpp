@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "shading/bsdf.h"
+#include "shading/gltf_bsdf.h"
 
 #include "shading/fresnel.h"
 #include "shading/microfacet.h"
@@ -16,7 +16,7 @@ Vec3 mirrored_at_surface(const Vec3& v) { return {v.x, v.y, -v.z}; }
 
 }  // namespace
 
-Bsdf::Bsdf(const MaterialPoint& point, const Vec3& to_viewer, bool inside)
+GltfBsdf::GltfBsdf(const MaterialPoint& point, const Vec3& to_viewer, bool inside)
     : frame_(geometry::make_frame(point.normal)),
       to_viewer_(frame_.to_local(to_viewer)),
       alpha_(point.roughness * point.roughness),
@@ -32,18 +32,24 @@ Bsdf::Bsdf(const MaterialPoint& point, const Vec3& to_viewer, bool inside)
   eta_ = inside ? ior : 1.0f / ior;
 }
 
-Color Bsdf::fresnel(float cosine) const {
+Color GltfBsdf::fresnel(float cosine) const {
   // Inside a solid Schlick's approximation knows nothing of total internal reflection.
   if (solid_ && eta_ > 1.0f) return Color(fresnel_dielectric(cosine, eta_));
   return fresnel_schlick(f0_, f90_, cosine);
 }
 
-Vec3 Bsdf::sample_half_vector(Vec2 random) const {
-  if (is_mirror()) return {0.0f, 0.0f, 1.0f};
+Vec3 GltfBsdf::sample_half_vector(Vec2 random) const {
+  if (is_mirror(alpha_)) return {0.0f, 0.0f, 1.0f};
   return sample_visible_normal(to_viewer_, alpha_, random);
 }
 
-Color Bsdf::eval_diffuse(const Vec3& to_light) const {
+Color GltfBsdf::ambient() const {
+  if (layer_f0_ >= 1.0f) return Color(0.0f);
+  // The way in averages to 1 - F_average and cancels.
+  return diffuse_ * (1.0f - fresnel_schlick(layer_f0_, layer_f90_, to_viewer_.z));
+}
+
+Color GltfBsdf::eval_diffuse(const Vec3& to_light) const {
   const Vec3 wi = frame_.to_local(to_light);
   if (wi.z <= 0.0f || layer_f0_ >= 1.0f) return Color(0.0f);
   const float in = 1.0f - fresnel_schlick(layer_f0_, layer_f90_, wi.z);
@@ -52,9 +58,9 @@ Color Bsdf::eval_diffuse(const Vec3& to_light) const {
   return diffuse_ * (layer * wi.z / geometry::k_pi);
 }
 
-Color Bsdf::eval_specular(const Vec3& to_light) const {
+Color GltfBsdf::eval_specular(const Vec3& to_light) const {
   const Vec3 wi = frame_.to_local(to_light);
-  if (is_mirror() || wi.z <= 0.0f) return Color(0.0f);
+  if (is_mirror(alpha_) || wi.z <= 0.0f) return Color(0.0f);
   const Vec3 h = normalize(wi + to_viewer_);
   // f cos = F D G2 / (4 cos_o cos_i) * cos_i
   return fresnel(dot(h, wi)) *
@@ -62,20 +68,20 @@ Color Bsdf::eval_specular(const Vec3& to_light) const {
           (4.0f * to_viewer_.z));
 }
 
-float Bsdf::reflection_pdf(const Vec3& to_light) const {
+float GltfBsdf::reflection_pdf(const Vec3& to_light) const {
   const Vec3 wi = frame_.to_local(to_light);
-  if (is_mirror() || wi.z <= 0.0f) return 0.0f;
+  if (is_mirror(alpha_) || wi.z <= 0.0f) return 0.0f;
   const Vec3 h = normalize(wi + to_viewer_);
   return visible_normal_pdf(to_viewer_, h, alpha_) / (4.0f * dot(to_viewer_, h));
 }
 
-std::optional<LobeSample> Bsdf::sample_reflection(Vec2 random) const {
+std::optional<LobeSample> GltfBsdf::sample_reflection(Vec2 random) const {
   const Vec3 h = sample_half_vector(random);
   const Vec3 wi = reflect(to_viewer_, h);
   if (wi.z <= 0.0f) return std::nullopt;
   const Color f = fresnel(dot(to_viewer_, h));
   const Vec3 direction = frame_.to_world(wi);
-  if (is_mirror()) return LobeSample{direction, f, 0.0f};
+  if (is_mirror(alpha_)) return LobeSample{direction, f, 0.0f};
   // F D G2 / (4 cos_o) over the density D G1 / (4 cos_o) leaves F G2 / G1 (Heitz 2018, eq. 19).
   const float shadowing =
       smith_masking_shadowing(wi, to_viewer_, alpha_) / smith_masking(to_viewer_, alpha_);
@@ -83,7 +89,7 @@ std::optional<LobeSample> Bsdf::sample_reflection(Vec2 random) const {
   return LobeSample{direction, f * shadowing, pdf};
 }
 
-std::optional<LobeSample> Bsdf::sample_transmission(Vec2 random) const {
+std::optional<LobeSample> GltfBsdf::sample_transmission(Vec2 random) const {
   if (max_component(transmission_) <= 0.0f) return std::nullopt;
   const Vec3 h = sample_half_vector(random);
   std::optional<Vec3> wi;
@@ -95,15 +101,15 @@ std::optional<LobeSample> Bsdf::sample_transmission(Vec2 random) const {
   if (!wi || wi->z >= 0.0f) return std::nullopt;
   const Color through = transmission_ * (Color(1.0f) - fresnel(dot(to_viewer_, h)));
   const float shadowing =
-      is_mirror() ? 1.0f
-                  : smith_masking_shadowing(mirrored_at_surface(*wi), to_viewer_, alpha_) /
-                        smith_masking(to_viewer_, alpha_);
+      is_mirror(alpha_) ? 1.0f
+                        : smith_masking_shadowing(mirrored_at_surface(*wi), to_viewer_, alpha_) /
+                              smith_masking(to_viewer_, alpha_);
   return LobeSample{frame_.to_world(*wi), through * shadowing, 0.0f};
 }
 
-Color Bsdf::reflectance_estimate() const { return fresnel(to_viewer_.z); }
+Color GltfBsdf::reflection_color() const { return fresnel(to_viewer_.z); }
 
-Color straight_transmittance(const MaterialPoint& point, float cosine) {
+Color gltf_straight_transmittance(const MaterialPoint& point, float cosine) {
   const float f0 = dielectric_reflectance(point.material->ior);
   const float f = fresnel_schlick(f0, grazing_reflectance(f0), cosine);
   return point.base_color * ((1.0f - f) * (1.0f - point.metallic) * point.transmission);
