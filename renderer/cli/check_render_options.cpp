@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/image_io.h"
+#include "renderer/cli/distinct_files.h"
 #include "renderer/cli/exit_codes.h"
 #include "renderer/cli/output_name.h"
 #include "renderer/cli/render_options.h"
@@ -9,8 +10,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <system_error>
-#include <utility>
 
 namespace lume::cli {
 namespace {
@@ -22,35 +21,13 @@ std::string lower_extension(const std::filesystem::path& path) {
   return extension;
 }
 
-using RoleAndPath = std::pair<std::string, std::filesystem::path>;
-
-/// One form for all spellings of a path, whether or not the file is there.
-std::filesystem::path canonical_path(const std::filesystem::path& path) {
-  std::error_code ignored;
-  const std::filesystem::path result =
-      std::filesystem::weakly_canonical(std::filesystem::absolute(path), ignored);
-  return result.empty() ? path : result;
-}
-
-/// No written file may be another one that is written, nor one that is read.
-void check_paths_differ(const RenderOptions& options) {
-  std::vector<RoleAndPath> taken = {{"the scene", canonical_path(options.scene_file)}};
-  if (options.environment) taken.emplace_back("--env", canonical_path(*options.environment));
-  if (!options.ocio.empty()) taken.emplace_back("--ocio", canonical_path(options.ocio));
-  std::vector<RoleAndPath> written;
-  for (const std::string& output : options.outputs) {
-    written.emplace_back("-o", canonical_path(frame_path(output, 1)));
-  }
-  if (options.stats) written.emplace_back("--stats", canonical_path(*options.stats));
-  for (const auto& [role, path] : written) {
-    for (const auto& [other_role, other] : taken) {
-      if (path == other) {
-        throw UsageError(fmt::format("{} and {} are the same file: {}", other_role, role,
-                                     printable(path.string())));
-      }
-    }
-    taken.emplace_back(role, path);
-  }
+void check_files_differ(const RenderOptions& options) {
+  DistinctFiles files;
+  files.read("the scene", options.scene_file);
+  if (options.environment) files.read("--env", *options.environment);
+  if (!options.ocio.empty()) files.read("--ocio", options.ocio);
+  for (const std::string& output : options.outputs) files.write("-o", frame_path(output, 1));
+  if (options.stats) files.write("--stats", *options.stats);
 }
 
 }  // namespace
@@ -76,7 +53,7 @@ void check_render_options(const RenderOptions& options) {
   if (!options.aovs.empty() && !any_exr) {
     throw UsageError("--aov needs an EXR output to hold the layers; add: -o layers.exr");
   }
-  check_paths_differ(options);
+  check_files_differ(options);
 }
 
 }  // namespace lume::cli

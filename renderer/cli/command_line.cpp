@@ -26,6 +26,7 @@ constexpr std::string_view k_footer = R"(
 Examples:
   lume render helmet.glb -o helmet.png                  a picture with all the defaults
   lume render helmet.glb -o helmet.exr --spp 256        scene-linear, less noise
+  lume trace helmet.glb --pixel 640,360                 why a pixel has its colour
   lume info helmet.glb                                  what the file holds
   lume render --help                                    everything a render can be told
 )";
@@ -141,7 +142,8 @@ ExitCode run_command_line(const std::vector<std::string>& arguments) {
 
   const std::vector<std::string> after(arguments.begin() + (arguments.empty() ? 0 : 1),
                                        arguments.end());
-  const std::vector<Command> commands = {add_render_command(main, after), add_info_command(main)};
+  const std::vector<Command> commands = {add_render_command(main, after), add_trace_command(main),
+                                         add_info_command(main)};
   for (const Command& command : commands) command.app->allow_extras();
   main.footer(std::string(k_footer));  // last, for subcommands inherit what there is before them
 

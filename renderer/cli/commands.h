@@ -21,6 +21,7 @@ struct Command {
 
 /// `arguments` is the command line after `lume render`, which a message may quote.
 [[nodiscard]] Command add_render_command(CLI::App& parent, std::vector<std::string> arguments);
+[[nodiscard]] Command add_trace_command(CLI::App& parent);
 [[nodiscard]] Command add_info_command(CLI::App& parent);
 
 }  // namespace lume::cli

@@ -5,6 +5,7 @@
 #include "tests/support/paths.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace lume::tests {
 namespace {
@@ -24,11 +25,16 @@ std::vector<std::string> own_scene_names() {
   return names;
 }
 
-renderer::RenderResult render_scene(shading::Scene scene, const geometry::Camera& camera,
-                                    const Shot& shot) {
+shading::Scene lit(shading::Scene scene) {
   if (scene.lights.empty() && renderer::Emitters(scene).empty()) {
     scene.environment = shading::studio_environment();
   }
+  return scene;
+}
+
+renderer::RenderResult render_scene(shading::Scene dark, const geometry::Camera& camera,
+                                    const Shot& shot) {
+  const shading::Scene scene = lit(std::move(dark));
   const renderer::PreparedScene prepared(scene, shot.accelerator);
   const auto integrator =
       renderer::make_integrator(renderer::integrator_names().front(), prepared, {});
@@ -41,12 +47,16 @@ renderer::RenderResult render_scene(shading::Scene scene, const geometry::Camera
   return renderer::render_image(prepared, camera, *integrator, settings);
 }
 
-renderer::RenderResult render_own_scene(const std::string& name, const Shot& shot) {
+shading::Scene load_own_scene(const std::string& name, bool tessellated) {
   const bool is_text = exists(scenes_folder() / (name + ".gltf"));
   const std::filesystem::path path = scenes_folder() / (name + (is_text ? ".gltf" : ".glb"));
   io::LoadOptions options;
-  options.tessellated = shot.tessellated;
-  const shading::Scene scene = io::load_gltf(path, options).scene;
+  options.tessellated = tessellated;
+  return io::load_gltf(path, options).scene;
+}
+
+renderer::RenderResult render_own_scene(const std::string& name, const Shot& shot) {
+  const shading::Scene scene = load_own_scene(name, shot.tessellated);
   return render_scene(scene, scene.cameras.at(0), shot);
 }
 

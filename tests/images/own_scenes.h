@@ -13,6 +13,12 @@ namespace lume::tests {
 /// The names of all scenes in assets/scenes, sorted.
 [[nodiscard]] std::vector<std::string> own_scene_names();
 
+/// `tessellated`: triangles in place of analytic shapes.
+[[nodiscard]] shading::Scene load_own_scene(const std::string& name, bool tessellated = false);
+
+/// The scene, with the studio's light if it has none.
+[[nodiscard]] shading::Scene lit(shading::Scene scene);
+
 struct Shot {
   int width = 96;
   int height = 72;

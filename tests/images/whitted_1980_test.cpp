@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The picture of Whitted 1980 by a tracer of its own, which shares nothing with Lume but the rays
 // of the camera: the scene's numbers are written out, the formula is the course's, all in double.
-#include "io/gltf/load_gltf.h"
 #include "renderer/integrator.h"
-#include "tests/support/paths.h"
+#include "tests/images/own_scenes.h"
 #include "tests/support/random.h"
 
 #include <gtest/gtest.h>
@@ -113,15 +112,14 @@ DVec3 intensity(const DVec3& o, const DVec3& d, int depth) {
 }
 
 TEST(Whitted1980, Picture_IsThatOfAnIndependentTracer) {
-  const io::LoadedScene loaded =
-      io::load_gltf(source_dir() / "assets" / "scenes" / "whitted.gltf", {});
-  const renderer::PreparedScene prepared(loaded.scene, "embree");
+  const shading::Scene scene = load_own_scene("whitted");
+  const renderer::PreparedScene prepared(scene, "embree");
   const auto whitted = renderer::make_integrator("whitted", prepared, {.cutoff = 0.0f});
   test::Random random(1980);
   constexpr int k_rays = 50000;
   int different = 0;
   for (int i = 0; i < k_rays; ++i) {
-    const geometry::Ray ray = loaded.scene.cameras[0].generate_ray(random.square(), 4.0f / 3.0f);
+    const geometry::Ray ray = scene.cameras[0].generate_ray(random.square(), 4.0f / 3.0f);
     renderer::Ledger ledger;
     const DVec3 light(whitted->radiance(ray, {1, 0, 0, 0}, ledger).color());
     const DVec3 expected = intensity(DVec3(ray.origin), normalize(DVec3(ray.direction)), 0);
