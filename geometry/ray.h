@@ -3,6 +3,7 @@
 
 #include "geometry/math.h"
 
+#include <cmath>
 #include <limits>
 
 namespace lume::geometry {
@@ -19,11 +20,12 @@ struct Ray {
 /// True if every accelerator may trace the ray. Some (Embree with asserts) abort on a ray that is
 /// not finite, so each query asks this first and treats other rays as meeting nothing.
 [[nodiscard]] inline bool is_traceable(const Ray& ray) {
-  constexpr float k_farthest = 1e18f;  // Embree rejects origins at 2e18 and beyond
-  return is_finite(ray.origin) && is_finite(ray.direction) && ray.t_min >= 0.0f &&
-         ray.t_max >= ray.t_min &&
-         glm::all(glm::lessThan(glm::abs(ray.origin), Vec3(k_farthest))) &&
-         glm::all(glm::lessThan(glm::abs(ray.direction), Vec3(k_farthest)));
+  const auto is_near = [](const Vec3& v) {
+    constexpr float k_farthest = 1e18f;  // Embree rejects origins at 2e18 and beyond
+    return std::abs(v.x) < k_farthest && std::abs(v.y) < k_farthest && std::abs(v.z) < k_farthest;
+  };
+  return is_near(ray.origin) && is_near(ray.direction) && ray.t_min >= 0.0f &&
+         ray.t_max >= ray.t_min;
 }
 
 }  // namespace lume::geometry

@@ -64,32 +64,26 @@ TriangleCrossing intersect_triangle(const DVec3& origin, const DVec3& direction,
   return {t, weights.y / determinant, weights.z / determinant, true};
 }
 
-ObjectRay to_object(const Transform& transform, const Ray& ray) {
-  return {transform.point_to_object(DVec3(ray.origin)),
-          transform.vector_to_object(DVec3(ray.direction)), ray.t_min, ray.t_max};
-}
-
-std::optional<Crossing> first_crossing(const World& world, const ObjectRay& ray, const Hit& hit,
-                                       const HoleTest* holes) {
-  const Geometry& geometry = world.geometry(hit);
-  std::optional<Crossing> crossing = intersect(*geometry.shape(), ray);
-  if (!geometry.has_holes || holes == nullptr) return crossing;
+std::optional<Crossing> first_crossing_beside_holes(const Shape& shape, const ObjectRay& ray,
+                                                    const Hit& hit, const HoleTest& holes) {
+  std::optional<Crossing> crossing = intersect(shape, ray);
   ObjectRay rest = ray;
   while (crossing) {
     const Hit there{hit.instance, hit.geometry, crossing->part};
-    if (!holes->is_hole(there, Vec2(shape_point(*geometry.shape(), ray, *crossing).uv))) break;
+    if (!holes.is_hole(there, Vec2(shape_point(shape, ray, *crossing).uv))) break;
     rest.t_min = std::nextafter(crossing->t, std::numeric_limits<double>::infinity());
-    crossing = intersect(*geometry.shape(), rest);
+    crossing = intersect(shape, rest);
   }
   return crossing;
 }
 
 Crossing refine(const World& world, const Ray& ray, const Hit& hit, const HoleTest* holes) {
   const ObjectRay object_ray = to_object(world.transform(hit), ray);
-  const Mesh* mesh = world.geometry(hit).mesh();
+  const Geometry& geometry = world.geometry(hit);
+  const Mesh* mesh = geometry.mesh();
   if (mesh == nullptr) {
     // The accelerator met it by the same formula with the same numbers, so it is there.
-    return first_crossing(world, object_ray, hit, holes).value_or(Crossing());
+    return first_crossing(geometry, object_ray, hit, holes).value_or(Crossing());
   }
   const auto corners = mesh->corners(hit.primitive);
   const TriangleCrossing crossing =

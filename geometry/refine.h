@@ -30,12 +30,26 @@ struct TriangleCrossing {
                                                   const DVec3& a, const DVec3& b, const DVec3& c);
 
 /// A world ray taken into the space of an instance.
-[[nodiscard]] ObjectRay to_object(const Transform& transform, const Ray& ray);
+[[nodiscard]] inline ObjectRay to_object(const Transform& transform, const Ray& ray) {
+  return {transform.point_to_object(DVec3(ray.origin)),
+          transform.vector_to_object(DVec3(ray.direction)), ray.t_min, ray.t_max};
+}
 
-/// The first crossing of the ray with the shape of `hit.geometry` that is not a hole there.
-/// `holes` may be null; hit.primitive is not looked at.
-[[nodiscard]] std::optional<Crossing> first_crossing(const World& world, const ObjectRay& ray,
-                                                     const Hit& hit, const HoleTest* holes);
+/// The first crossing of the ray with a shape that has holes. hit.primitive is not looked at.
+[[nodiscard]] std::optional<Crossing> first_crossing_beside_holes(const Shape& shape,
+                                                                  const ObjectRay& ray,
+                                                                  const Hit& hit,
+                                                                  const HoleTest& holes);
+
+/// The first crossing of the ray with a shape that is not a hole there. `geometry` is that of
+/// `hit`, whose primitive is not looked at; `holes` may be null.
+[[nodiscard]] inline std::optional<Crossing> first_crossing(const Geometry& geometry,
+                                                            const ObjectRay& ray, const Hit& hit,
+                                                            const HoleTest* holes) {
+  return geometry.has_holes && holes != nullptr
+             ? first_crossing_beside_holes(*geometry.shape(), ray, hit, *holes)
+             : intersect(*geometry.shape(), ray);
+}
 
 /// The crossing of a world ray with the primitive that an accelerator named; `holes` must be those
 /// that the accelerator knew.

@@ -96,21 +96,24 @@ void complete_triangle(const Mesh& mesh, const Transform& transform, const Ray& 
 }
 
 void complete_shape(const Shape& shape, const Transform& transform, const Ray& ray,
-                    const Crossing& crossing, SurfacePoint& point) {
-  const ShapePoint at = shape_point(shape, to_object(transform, ray), crossing);
+                    const Crossing& crossing, bool textured, SurfacePoint& point) {
+  const ObjectRay object_ray = to_object(transform, ray);
+  const ShapePoint at = textured ? shape_point(shape, object_ray, crossing)
+                                 : shape_place(shape, object_ray, crossing);
   const DVec3 world_point = transform.point_to_world(at.position);
   place(point, world_point, transform.normal_to_world(at.normal), DVec3(ray.direction));
-  point.uv = Vec2(at.uv);
   point.normal = point.geometric_normal;
+  point.offset = rounding_bound(world_point);
+  if (!textured) return;
+  point.uv = Vec2(at.uv);
   point.dp_du = Vec3(transform.vector_to_world(at.dp_du));
   point.dp_dv = Vec3(transform.vector_to_world(at.dp_dv));
-  point.offset = rounding_bound(world_point);
 }
 
 }  // namespace
 
 SurfacePoint surface_point(const World& world, const Ray& ray, const Hit& hit,
-                           const Crossing& crossing) {
+                           const Crossing& crossing, bool textured) {
   SurfacePoint point;
   point.hit = hit;
   point.geometry = &world.geometry(hit);
@@ -119,7 +122,7 @@ SurfacePoint surface_point(const World& world, const Ray& ray, const Hit& hit,
   if (const Mesh* mesh = point.geometry->mesh()) {
     complete_triangle(*mesh, transform, ray, crossing, point);
   } else {
-    complete_shape(*point.geometry->shape(), transform, ray, crossing, point);
+    complete_shape(*point.geometry->shape(), transform, ray, crossing, textured, point);
   }
   return point;
 }

@@ -14,7 +14,8 @@ struct SurfacePoint {
   Hit hit;
   const Geometry* geometry = nullptr;
   float t = 0.0f;  ///< along the ray
-  /// Of a triangle the barycentric coordinates of corners 1 and 2; of a shape texture coordinates.
+  /// Of a triangle the barycentric coordinates of corners 1 and 2; of a shape texture coordinates,
+  /// which like dp_du and dp_dv are there only where they were asked for.
   Vec2 uv{0.0f};
   Vec3 position{0.0f};          ///< on the surface, to half a unit in the last place
   Vec3 geometric_normal{0.0f};  ///< unit, towards the front: where triangles are counter-clockwise
@@ -33,9 +34,10 @@ struct SurfacePoint {
   [[nodiscard]] Vec4 color() const;
 };
 
-/// Completes a refined hit. `crossing` must come from refine() of the same ray and hit.
+/// Completes a refined hit. `crossing` must come from refine() of the same ray and hit. Without
+/// `textured` a shape has no texture coordinates.
 [[nodiscard]] SurfacePoint surface_point(const World& world, const Ray& ray, const Hit& hit,
-                                         const Crossing& crossing);
+                                         const Crossing& crossing, bool textured = true);
 
 /// Moves point.shadow_origin to the curved surface that the vertex normals suggest, off the
 /// triangle and towards the side the ray came from: shadow rays from there do not meet the facets

@@ -27,13 +27,12 @@ std::optional<Color> backdrop(const PreparedScene& prepared, const Branch& branc
   return radiance * balance(branch.pdf, environment_pdf(prepared, branch.aim, direction));
 }
 
-Radiance local_light(const PreparedScene& prepared, const Branch& branch, const ShadedPoint& point,
-                     const IntegratorSettings& settings, const Sampler& sampler, Ledger& ledger,
-                     SurfaceNote* note) {
-  Radiance result;
+void local_light(const PreparedScene& prepared, const Branch& branch, const ShadedPoint& point,
+                 const IntegratorSettings& settings, const Sampler& sampler, Ledger& ledger,
+                 SurfaceNote* note, Radiance& result) {
   if (point.material.material->unlit) {
     result.terms.emitted = point.material.base_color;
-    return result;
+    return;
   }
   result.terms.emitted = emission(prepared, branch, point.surface);
   const AmbientLight ambient =
@@ -48,7 +47,6 @@ Radiance local_light(const PreparedScene& prepared, const Branch& branch, const 
   result.terms.specular = direct.specular;
   result.shadow = direct.shadow;
   if (note != nullptr) note->light_count = ledger.tree->lights.size() - note->first_light;
-  return result;
 }
 
 }  // namespace lume::renderer

@@ -28,14 +28,39 @@ struct Branch {
 [[nodiscard]] std::optional<Color> backdrop(const PreparedScene& prepared, const Branch& branch);
 
 /// The light that a surface sends along the branch by itself and by what reaches it straight from
-/// the lights: all terms but the recursive ones.
-[[nodiscard]] Radiance local_light(const PreparedScene& prepared, const Branch& branch,
-                                   const ShadedPoint& point, const IntegratorSettings& settings,
-                                   const Sampler& sampler, Ledger& ledger, SurfaceNote* note);
+/// the lights: all terms but the recursive ones. `result` is black before; it is filled where it
+/// is, as copies would cost more than some of the terms.
+void local_light(const PreparedScene& prepared, const Branch& branch, const ShadedPoint& point,
+                 const IntegratorSettings& settings, const Sampler& sampler, Ledger& ledger,
+                 SurfaceNote* note, Radiance& result);
+
+/// Adds what shade() says of a surface, times `scale`, to `result`, and to the tree's `ray` if a
+/// tree is kept. `alone`: nothing is in `result` yet, and the scale is 1.
+template <class Shade>
+void add_surface(const Branch& branch, const geometry::SurfacePoint& point,
+                 const shading::MaterialPoint& material, const Color& scale, bool alone,
+                 const Sampler& sampler, RayTree* tree, std::size_t ray, const Shade& shade,
+                 Radiance& result) {
+  std::optional<SurfaceNote> note;
+  if (tree != nullptr) note.emplace();
+  Radiance scaled;
+  Radiance& sent = alone ? result : scaled;
+  shade(branch, point, material, sampler, note ? &*note : nullptr, sent);
+  if (note) {
+    note->point = point;
+    note->scale = scale;
+    note->terms = sent.terms;
+    tree->rays[ray].surfaces.push_back(*note);
+  }
+  if (alone) return;
+  result.terms += scale * sent.terms;
+  result.shadow += scale * sent.shadow;
+  result.depth = std::max(result.depth, sent.depth);
+}
 
 /// Follows a branch through alpha-blended layers to the first thing that covers the rest, and adds
-/// up what each sends back: shade(branch, point, material, sampler, note), where `note` is null
-/// unless a tree is kept.
+/// up what each sends back: shade(branch, point, material, sampler, note, result), where `note` is
+/// null unless a tree is kept, and `result` as for local_light.
 template <class Shade>
 Radiance follow(const PreparedScene& prepared, Branch branch, Sampler sampler, Ledger& ledger,
                 const Shade& shade) {
@@ -48,7 +73,7 @@ Radiance follow(const PreparedScene& prepared, Branch branch, Sampler sampler, L
   Radiance result;
   float uncovered = 1.0f;
   Color passes(1.0f);  // what the solid around the ray has not absorbed
-  for (int layer = 0; layer < k_most_layers && uncovered > 0.0f; ++layer) {
+  for (int layer = 0; layer < k_most_layers; ++layer) {
     const auto point = prepared.first_surface(branch.ray);
     if (!point) {
       const std::optional<Color> seen = backdrop(prepared, branch);
@@ -65,21 +90,13 @@ Radiance follow(const PreparedScene& prepared, Branch branch, Sampler sampler, L
     if (material.coverage > 0.0f) {
       const float share = uncovered * material.coverage;
       const Color scale = share * passes;
-      std::optional<SurfaceNote> note;
-      if (ledger.tree != nullptr) note.emplace();
-      const Radiance sent = shade(branch, *point, material, sampler, note ? &*note : nullptr);
-      result.terms += scale * sent.terms;
-      result.shadow += scale * sent.shadow;
+      const bool alone = layer == 0 && scale == Color(1.0f);  // nearly always
+      add_surface(branch, *point, material, scale, alone, sampler, ledger.tree, number, shade,
+                  result);
       result.alpha += share;
-      result.depth = std::max(result.depth, sent.depth);
-      if (note) {
-        note->point = *point;
-        note->scale = scale;
-        note->terms = sent.terms;
-        ledger.tree->rays[number].surfaces.push_back(*note);
-      }
     }
     uncovered *= 1.0f - material.coverage;
+    if (!(uncovered > 0.0f)) break;
     branch.ray = leave(*point, branch.ray.direction);
     branch.travelled += point->t;
     sampler = sampler.branch(k_next_layer);

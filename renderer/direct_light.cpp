@@ -124,6 +124,7 @@ void Gatherer::add_emitter(const Sampler& sampler) {
 
 DirectLight direct_light(const PreparedScene& prepared, const ShadedPoint& point, bool shadows,
                          const Sampler& sampler, Ledger& ledger) {
+  if (!point.bsdf.scatters()) return {};
   Gatherer gatherer(prepared, point, shadows, ledger);
   gatherer.add_environment(sampler);
   gatherer.add_emitter(sampler);

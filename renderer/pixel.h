@@ -26,7 +26,7 @@ struct PixelSettings {
 /// A camera ray, and the random numbers of the path behind it.
 struct CameraSample {
   geometry::Ray ray;
-  Sampler sampler;
+  Sampler sampler{0, 0, 0, 0};
 };
 
 [[nodiscard]] CameraSample camera_sample(const PixelSettings& settings,

@@ -23,6 +23,7 @@ class PixelFilter {
 
   /// Where around the pixel's centre the sample lies (pixels), for two uniform numbers.
   [[nodiscard]] Vec2 sample(Vec2 random) const {
+    if (kind_ == Kind::box) return radius_ * (2.0f * random - 1.0f);  // as the table has it
     return {radius_ * (2.0f * distribution_.sample(random.x).position - 1.0f),
             radius_ * (2.0f * distribution_.sample(random.y).position - 1.0f)};
   }

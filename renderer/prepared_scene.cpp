@@ -31,26 +31,26 @@ PreparedScene::PreparedScene(const shading::Scene& scene, std::string_view accel
       has_one_way_(
           any_material(scene, [](const auto& material) { return material.is_one_way(); })) {}
 
-std::optional<geometry::SurfacePoint> PreparedScene::closest_point(const geometry::Ray& ray) const {
-  const auto hit = accelerator_->closest_hit(ray);
-  if (!hit) return std::nullopt;
-  const geometry::Crossing crossing = refine(scene_.world, ray, *hit, holes_.get());
-  return surface_point(scene_.world, ray, *hit, crossing);
+geometry::SurfacePoint PreparedScene::point_at(const geometry::Ray& ray,
+                                               const geometry::Hit& hit) const {
+  const geometry::Crossing crossing = refine(scene_.world, ray, hit, holes_.get());
+  return surface_point(scene_.world, ray, hit, crossing, material(hit).is_textured());
 }
 
 std::optional<geometry::SurfacePoint> PreparedScene::first_surface(geometry::Ray ray) const {
   constexpr int k_most_culled = 10000;  // each step moves on, but a lie in a file must not hang us
   float t_before = 0.0f;
   for (int culled = 0; culled < k_most_culled; ++culled) {
-    auto point = closest_point(ray);
-    if (!point) return std::nullopt;
-    point->t += t_before;
-    if (point->front_facing || !scene_.materials[point->geometry->material].is_one_way()) {
-      lift_shadow_origin(scene_.world, *point);
+    const auto hit = accelerator_->closest_hit(ray);
+    if (!hit) return std::nullopt;
+    geometry::SurfacePoint point = point_at(ray, *hit);
+    point.t += t_before;
+    if (point.front_facing || !material(*hit).is_one_way()) {
+      lift_shadow_origin(scene_.world, point);
       return point;
     }
-    t_before = point->t;
-    ray = leave(*point, ray.direction);
+    t_before = point.t;
+    ray = leave(point, ray.direction);
   }
   return std::nullopt;
 }

@@ -27,8 +27,12 @@ class PreparedScene {
   /// Some surface is absent when it is met from behind.
   [[nodiscard]] bool has_one_way() const { return has_one_way_; }
 
-  /// The first surface along the ray that is not a hole, visible or not.
-  [[nodiscard]] std::optional<geometry::SurfacePoint> closest_point(const geometry::Ray& ray) const;
+  [[nodiscard]] const shading::Material& material(const geometry::Hit& hit) const {
+    return scene_.materials[scene_.world.geometry(hit).material];
+  }
+  /// The place where the ray meets what the accelerator named.
+  [[nodiscard]] geometry::SurfacePoint point_at(const geometry::Ray& ray,
+                                                const geometry::Hit& hit) const;
 
   /// The first visible surface along the ray. Back faces of single-sided materials are not visible.
   /// When there are none to skip this is one query of the accelerator.

@@ -40,27 +40,28 @@ Transmittance trace_shadow(const PreparedScene& prepared, geometry::Ray ray, Ray
   constexpr int k_most_surfaces = 1000;
   constexpr Transmittance k_blocked{Color(0.0f), false};
   ++counts.shadow;
-  if (!prepared.accelerator().any_hit(ray)) return {};
-  if (!prepared.has_see_through() && !prepared.has_one_way()) return k_blocked;
-
-  const shading::Scene& scene = prepared.scene();
+  if (!prepared.has_see_through() && !prepared.has_one_way()) {
+    return prepared.accelerator().any_hit(ray) ? k_blocked : Transmittance();
+  }
   const float length_of_t = length(ray.direction);
   Transmittance result;
   for (int surface = 0; surface < k_most_surfaces; ++surface) {
-    const auto point = prepared.closest_point(ray);
-    if (!point) return result;
-    const shading::Material& material = scene.materials[point->geometry->material];
-    const bool from_behind = material.is_one_way() && point->front_facing;
+    const auto hit = prepared.accelerator().closest_hit(ray);
+    if (!hit) return result;
+    const shading::Material& material = prepared.material(*hit);
+    if (!material.is_see_through() && !material.is_one_way()) return k_blocked;
+    const geometry::SurfacePoint point = prepared.point_at(ray, *hit);
+    const bool from_behind = material.is_one_way() && point.front_facing;
     if (!from_behind) {
       if (!material.is_see_through()) return k_blocked;
-      const Transmittance crossing = cross(scene, *point, ray, length_of_t);
+      const Transmittance crossing = cross(prepared.scene(), point, ray, length_of_t);
       result.color *= crossing.color;
       result.through_transmissive |= crossing.through_transmissive;
       if (shading::max_component(result.color) <= 0.0f) return k_blocked;
     }
-    const float t_left = ray.t_max - point->t;
+    const float t_left = ray.t_max - point.t;
     if (!(t_left > 0.0f)) return result;
-    ray = leave(*point, ray.direction);
+    ray = leave(point, ray.direction);
     ray.t_max = t_left;
   }
   return k_blocked;

@@ -23,6 +23,10 @@ class Bsdf {
   [[nodiscard]] Color ambient() const {
     return std::visit([](const auto& model) { return model.ambient(); }, model_);
   }
+  /// False where eval_diffuse and eval_specular are 0 for all directions.
+  [[nodiscard]] bool scatters() const {
+    return std::visit([](const auto& model) { return model.scatters(); }, model_);
+  }
   /// BRDF times the cosine (1/sr); 0 below the surface.
   [[nodiscard]] Color eval_diffuse(const Vec3& to_light) const {
     return std::visit([&](const auto& model) { return model.eval_diffuse(to_light); }, model_);
@@ -36,6 +40,15 @@ class Bsdf {
   [[nodiscard]] float reflection_pdf(const Vec3& to_light) const {
     const auto* gltf = std::get_if<GltfBsdf>(&model_);
     return gltf != nullptr ? gltf->reflection_pdf(to_light) : 0.0f;
+  }
+
+  /// Sampling needs no random numbers: all the light goes one way.
+  [[nodiscard]] bool reflects_sharply() const {
+    return std::visit([](const auto& model) { return model.reflects_sharply(); }, model_);
+  }
+  [[nodiscard]] bool transmits_sharply() const {
+    const auto* gltf = std::get_if<GltfBsdf>(&model_);
+    return gltf == nullptr || gltf->reflects_sharply();
   }
 
   /// Where a reflected ray goes; none when the direction drawn leads into the surface.

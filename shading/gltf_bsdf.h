@@ -34,6 +34,7 @@ class GltfBsdf {
   /// What the diffuse part makes of light that comes in evenly from everywhere: the integral of
   /// eval_diffuse over the hemisphere.
   [[nodiscard]] Color ambient() const;
+  [[nodiscard]] bool scatters() const { return has_diffuse() || !reflects_sharply(); }
   /// Diffuse BRDF times the cosine (1/sr); 0 below the surface.
   [[nodiscard]] Color eval_diffuse(const Vec3& to_light) const;
   /// Specular BRDF times the cosine (1/sr); 0 for a mirror and below the surface.
@@ -41,6 +42,8 @@ class GltfBsdf {
   /// The density with which sample_reflection() returns a direction; 0 for a mirror.
   [[nodiscard]] float reflection_pdf(const Vec3& to_light) const;
 
+  /// Both lobes are a single direction.
+  [[nodiscard]] bool reflects_sharply() const { return is_mirror(alpha_); }
   /// Draws from the specular layer; none when the direction drawn goes into the surface.
   [[nodiscard]] std::optional<LobeSample> sample_reflection(Vec2 random) const;
   /// Draws from the transmitted light: refracted at a solid, straight on through a thin sheet (both

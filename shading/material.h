@@ -82,6 +82,10 @@ struct Material {
     const bool transmits = phong ? phong->transmission > 0.0f : transmission > 0.0f;
     return alpha_mode == AlphaMode::blend || transmits;
   }
+  [[nodiscard]] bool is_textured() const {
+    return base_color_texture || metallic_roughness_texture || normal_texture ||
+           occlusion_texture || emission_texture || transmission_texture;
+  }
   [[nodiscard]] bool is_emissive() const { return !unlit && max_component(emission) > 0.0f; }
 };
 

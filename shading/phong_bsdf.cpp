@@ -45,7 +45,7 @@ Color PhongBsdf::transmission_color() const {
 }
 
 std::optional<LobeSample> PhongBsdf::sample_reflection(Vec2 random) const {
-  if (std::isinf(phong_->glossiness)) return LobeSample{mirrored_, reflection_color(), 0.0f};
+  if (reflects_sharply()) return LobeSample{mirrored_, reflection_color(), 0.0f};
   const Vec3 local = sample_cosine_power(random, phong_->glossiness);
   const Vec3 direction = geometry::make_frame(mirrored_).to_world(local);
   if (dot(normal_, direction) <= 0.0f) return std::nullopt;

@@ -14,6 +14,7 @@
 #include "shading/lobe_sample.h"
 #include "shading/material_point.h"
 
+#include <cmath>
 #include <optional>
 
 namespace lume::shading {
@@ -26,11 +27,13 @@ class PhongBsdf {
 
   /// k_a O_a.
   [[nodiscard]] Color ambient() const;
+  [[nodiscard]] bool scatters() const { return has_diffuse() || phong_->specular > 0.0f; }
   /// k_d O_d (n.l) / pi; 0 below the surface.
   [[nodiscard]] Color eval_diffuse(const Vec3& to_light) const;
   /// k_s O_s (r.v)^n / pi; 0 for light from below the surface.
   [[nodiscard]] Color eval_specular(const Vec3& to_light) const;
 
+  [[nodiscard]] bool reflects_sharply() const { return std::isinf(phong_->glossiness); }
   /// The mirror direction r = 2 (n.v) n - v, or where there is a glossiness g, one around it with
   /// density (g + 1) / (2 pi) cos^g, none when that goes into the surface.
   [[nodiscard]] std::optional<LobeSample> sample_reflection(Vec2 random) const;

@@ -67,7 +67,7 @@ class BruteForce final : public Accelerator {
 
   template <class Visit>
   bool visit_shape(const ObjectRay& ray, Hit hit, const Visit& visit) const {
-    const auto crossing = first_crossing(world_, ray, hit, holes_);
+    const auto crossing = first_crossing(world_.geometry(hit), ray, hit, holes_);
     if (!crossing) return true;
     hit.primitive = crossing->part;
     return visit(hit, crossing->t);

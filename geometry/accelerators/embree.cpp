@@ -3,6 +3,7 @@
 
 #include "geometry/accelerators/embree_callbacks.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstdlib>
@@ -30,8 +31,7 @@ RTCRay to_embree(const Ray& ray) {
 
 class Embree final : public Accelerator {
  public:
-  Embree(const World& world, const HoleTest* holes)
-      : world_(world), holes_(holes), placed_{world, {}} {
+  Embree(const World& world, const HoleTest* holes) : world_(world), holes_(holes) {
     const auto start = std::chrono::steady_clock::now();
     device_ = rtcNewDevice(std::getenv("LUME_EMBREE_CONFIG"));
     if (device_ == nullptr) throw std::runtime_error("Embree cannot start: " + last_error());
@@ -50,11 +50,11 @@ class Embree final : public Accelerator {
   std::optional<Hit> closest_hit(const Ray& ray) const override {
     if (!is_traceable(ray)) return std::nullopt;
     EmbreeQuery context = make_context(ray);
+    for (const PlacedShape& shape : asked_first_) take_if_nearest(context, shape, ray.t_max);
+    if (is_empty_) return context.nearest;
     RTCRayHit query{to_embree(ray), {}};
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    for (const Hit& shape : unbounded_) {
-      if (take_if_nearest(context, shape, ray.t_max)) query.ray.tfar = nearest_tfar(context);
-    }
+    if (context.nearest) query.ray.tfar = nearest_tfar(context);
     rtcIntersect1(scene_, &context.embree, &query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return context.nearest;
     return Hit{query.hit.instID[0], query.hit.geomID, query.hit.primID};
@@ -63,9 +63,10 @@ class Embree final : public Accelerator {
   bool any_hit(const Ray& ray) const override {
     if (!is_traceable(ray)) return false;
     EmbreeQuery context = make_context(ray);
-    for (const Hit& shape : unbounded_) {
+    for (const PlacedShape& shape : asked_first_) {
       if (is_occluded(context, shape)) return true;
     }
+    if (is_empty_) return false;
     RTCRay query = to_embree(ray);
     rtcOccluded1(scene_, &context.embree, &query);
     return query.tfar < 0.0f;  // Embree's sign for "occluded"
@@ -97,6 +98,7 @@ class Embree final : public Accelerator {
     scene_ = new_scene();
     for (const Object& object : world_.objects) build_object(object);
     for (std::uint32_t i = 0; i < world_.instances.size(); ++i) place(i);
+    ask_few_first();
     attach_shapes();
     commit(scene_);
   }
@@ -130,14 +132,30 @@ class Embree final : public Accelerator {
       const Shape* shape = geometries[i].shape();
       if (shape == nullptr) continue;
       const bool has_place = fits(shape_bounds(*shape, instance.transform));
-      (has_place ? placed_.shapes : unbounded_).push_back({index, i, 0});
+      (has_place ? placed_ : asked_first_)
+          .push_back({{index, i, 0}, &geometries[i], &instance.transform});
     }
   }
 
+  /// A handful of simple shapes is faster met one by one than sorted.
+  void ask_few_first() {
+    constexpr std::size_t k_few = 4;
+    if (placed_.size() > k_few || !std::all_of(placed_.begin(), placed_.end(), is_simple)) return;
+    asked_first_.insert(asked_first_.end(), placed_.begin(), placed_.end());
+    placed_.clear();
+  }
+
+  static bool is_simple(const PlacedShape& placed) {
+    const Shape& shape = *placed.geometry->shape();
+    return std::holds_alternative<Plane>(shape) || std::holds_alternative<Disk>(shape) ||
+           std::holds_alternative<Box>(shape) || std::holds_alternative<Sphere>(shape);
+  }
+
   void attach_shapes() {
-    if (placed_.shapes.empty()) return;
+    if (placed_.empty()) return;
+    is_empty_ = false;
     RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_USER);
-    rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(placed_.shapes.size()));
+    rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(placed_.size()));
     rtcSetGeometryUserData(geometry, &placed_);
     rtcSetGeometryBoundsFunction(geometry, bound_shape, nullptr);
     rtcSetGeometryIntersectFunction(geometry, intersect_shape);
@@ -172,7 +190,8 @@ class Embree final : public Accelerator {
     std::memcpy(buffer, values.data(), values.size() * sizeof(T));
   }
 
-  void attach_instance(const Instance& instance, std::uint32_t id) const {
+  void attach_instance(const Instance& instance, std::uint32_t id) {
+    is_empty_ = false;
     RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_INSTANCE);
     rtcSetGeometryInstancedScene(geometry, object_scenes_[instance.object]);
     const Mat3 linear(instance.transform.linear());
@@ -217,7 +236,8 @@ class Embree final : public Accelerator {
   RTCScene scene_ = nullptr;
   std::vector<RTCScene> object_scenes_;  ///< by object; null if it has no triangles
   PlacedShapes placed_;
-  std::vector<Hit> unbounded_;  ///< shapes that no hierarchy can hold, asked before it
+  PlacedShapes asked_first_;  ///< shapes that no hierarchy can hold, or that need none
+  bool is_empty_ = true;      ///< the hierarchy, which then is not asked
   std::atomic<ssize_t> memory_bytes_ = 0;
   double build_seconds_ = 0.0;
 };

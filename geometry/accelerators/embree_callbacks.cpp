@@ -13,8 +13,8 @@ EmbreeQuery& query_of(RTCIntersectContext* context) {
   return *reinterpret_cast<EmbreeQuery*>(context);
 }
 
-const PlacedShapes& placed_shapes(const void* user_pointer) {
-  return *static_cast<const PlacedShapes*>(user_pointer);
+const PlacedShape& placed_shape(const void* user_pointer, unsigned index) {
+  return (*static_cast<const PlacedShapes*>(user_pointer))[index];
 }
 
 }  // namespace
@@ -29,10 +29,8 @@ void reject_holes(const RTCFilterFunctionNArguments* args) {
 }
 
 void bound_shape(const RTCBoundsFunctionArguments* args) {
-  const PlacedShapes& placed = placed_shapes(args->geometryUserPtr);
-  const Hit& hit = placed.shapes[args->primID];
-  const Bounds bounds =
-      shape_bounds(*placed.world.geometry(hit).shape(), placed.world.transform(hit));
+  const PlacedShape& placed = placed_shape(args->geometryUserPtr, args->primID);
+  const Bounds bounds = shape_bounds(*placed.geometry->shape(), *placed.transform);
   *args->bounds_o = {bounds.lower.x, bounds.lower.y, bounds.lower.z, 0.0f,
                      bounds.upper.x, bounds.upper.y, bounds.upper.z, 0.0f};
 }
@@ -44,12 +42,12 @@ float nearest_tfar(const EmbreeQuery& query) {
              : std::nextafter(nearest, std::numeric_limits<float>::infinity());
 }
 
-bool take_if_nearest(EmbreeQuery& query, Hit hit, float t_max) {
-  ObjectRay ray = to_object(query.world->transform(hit), *query.ray);
+bool take_if_nearest(EmbreeQuery& query, const PlacedShape& shape, float t_max) {
+  ObjectRay ray = to_object(*shape.transform, *query.ray);
   ray.t_max = std::min(static_cast<double>(t_max), query.nearest_t);
-  const auto crossing = first_crossing(*query.world, ray, hit, query.holes);
+  const auto crossing = first_crossing(*shape.geometry, ray, shape.hit, query.holes);
   if (!crossing) return false;
-  hit.primitive = crossing->part;
+  const Hit hit{shape.hit.instance, shape.hit.geometry, crossing->part};
   // Of several at the same place the lowest identity is met.
   if (crossing->t == query.nearest_t && query.nearest && *query.nearest < hit) return false;
   query.nearest = hit;
@@ -57,19 +55,20 @@ bool take_if_nearest(EmbreeQuery& query, Hit hit, float t_max) {
   return true;
 }
 
-bool is_occluded(const EmbreeQuery& query, const Hit& hit) {
-  const Geometry& geometry = query.world->geometry(hit);
-  const ObjectRay ray = to_object(query.world->transform(hit), *query.ray);
-  if (geometry.has_holes) return first_crossing(*query.world, ray, hit, query.holes).has_value();
-  return meets(*geometry.shape(), ray);
+bool is_occluded(const EmbreeQuery& query, const PlacedShape& shape) {
+  const ObjectRay ray = to_object(*shape.transform, *query.ray);
+  if (shape.geometry->has_holes) {
+    return first_crossing(*shape.geometry, ray, shape.hit, query.holes).has_value();
+  }
+  return meets(*shape.geometry->shape(), ray);
 }
 
 void intersect_shape(const RTCIntersectFunctionNArguments* args) {
   if (args->valid[0] == 0) return;
   EmbreeQuery& query = query_of(args->context);
   auto& state = *reinterpret_cast<RTCRayHit*>(args->rayhit);
-  const Hit hit = placed_shapes(args->geometryUserPtr).shapes[args->primID];
-  if (!take_if_nearest(query, hit, state.ray.tfar)) return;
+  const PlacedShape& shape = placed_shape(args->geometryUserPtr, args->primID);
+  if (!take_if_nearest(query, shape, state.ray.tfar)) return;
   state.ray.tfar = nearest_tfar(query);
   state.hit.instID[0] = query.nearest->instance;
   state.hit.geomID = query.nearest->geometry;
@@ -80,8 +79,8 @@ void occlude_shape(const RTCOccludedFunctionNArguments* args) {
   if (args->valid[0] == 0) return;
   const EmbreeQuery& query = query_of(args->context);
   auto& ray = *reinterpret_cast<RTCRay*>(args->ray);
-  const Hit hit = placed_shapes(args->geometryUserPtr).shapes[args->primID];
-  if (is_occluded(query, hit)) ray.tfar = -std::numeric_limits<float>::infinity();
+  const PlacedShape& shape = placed_shape(args->geometryUserPtr, args->primID);
+  if (is_occluded(query, shape)) ray.tfar = -std::numeric_limits<float>::infinity();
 }
 
 }  // namespace lume::geometry

@@ -28,12 +28,15 @@ struct EmbreeQuery {
   double nearest_t = std::numeric_limits<double>::infinity();
 };
 
-/// All shapes of the world that a hierarchy can hold, as often as they are placed: what Embree's
-/// user primitives stand for. Their geometry's user pointer points to this.
-struct PlacedShapes {
-  const World& world;
-  std::vector<Hit> shapes;  ///< by primID
+/// A shape where an instance has it.
+struct PlacedShape {
+  Hit hit;  ///< but for the primitive
+  const Geometry* geometry;
+  const Transform* transform;
 };
+
+/// What Embree's user primitives stand for, by primID. Their geometry's user pointer points here.
+using PlacedShapes = std::vector<PlacedShape>;
 
 /// The filter of meshes with holes, for closest and any hits alike. The barycentric coordinates are
 /// refined first, so that the rim of a hole is the same under every accelerator.
@@ -45,10 +48,10 @@ void intersect_shape(const RTCIntersectFunctionNArguments* args);
 void occlude_shape(const RTCOccludedFunctionNArguments* args);
 
 /// Makes the shape the query's nearest hit if it is. Returns whether it is.
-bool take_if_nearest(EmbreeQuery& query, Hit hit, float t_max);
+bool take_if_nearest(EmbreeQuery& query, const PlacedShape& shape, float t_max);
 /// The nearest float that is not below nearest_t: what Embree may look at must reach to t itself.
 [[nodiscard]] float nearest_tfar(const EmbreeQuery& query);
 /// Whether the query's ray meets the shape at all.
-[[nodiscard]] bool is_occluded(const EmbreeQuery& query, const Hit& hit);
+[[nodiscard]] bool is_occluded(const EmbreeQuery& query, const PlacedShape& shape);
 
 }  // namespace lume::geometry

@@ -34,6 +34,16 @@ ShapePoint shape_point(const Shape& shape, const ObjectRay& ray, const Crossing&
   return std::visit([&](const auto& s) { return s.point(ray.at(crossing.t), crossing); }, shape);
 }
 
+ShapePoint shape_place(const Shape& shape, const ObjectRay& ray, const Crossing& crossing) {
+  return std::visit(
+      [&](const auto& s) {
+        // The compiler leaves out what is not read.
+        const ShapePoint point = s.point(ray.at(crossing.t), crossing);
+        return ShapePoint{.position = point.position, .normal = point.normal};
+      },
+      shape);
+}
+
 Bounds shape_bounds(const Shape& shape, const Transform& transform) {
   // The largest coordinate i of M p + T is T_i plus the largest dot(p, row i of M).
   const DMat3 rows = glm::transpose(transform.linear());

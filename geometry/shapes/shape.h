@@ -35,6 +35,10 @@ using Shape = std::variant<Plane, Disk, Box, Sphere, Cylinder, Capsule, Quadric,
 [[nodiscard]] ShapePoint shape_point(const Shape& shape, const ObjectRay& ray,
                                      const Crossing& crossing);
 
+/// The same without texture coordinates and what depends on them, which cost more than the rest.
+[[nodiscard]] ShapePoint shape_place(const Shape& shape, const ObjectRay& ray,
+                                     const Crossing& crossing);
+
 /// The box around the transformed shape: along each axis exactly what the shape's support() says,
 /// rounded outwards. Infinite where the shape has no end.
 [[nodiscard]] Bounds shape_bounds(const Shape& shape, const Transform& transform);

@@ -3,6 +3,7 @@
 
 #include "io/image_io.h"
 #include "renderer/cli/text.h"
+#include "renderer/emitter_shapes.h"
 
 #include <fmt/format.h>
 
@@ -21,12 +22,18 @@ bool is_lamp(const shading::Material& material) {
   return material.is_emissive() && !only_glows;
 }
 
+/// Whether light is looked for on the surface, so that it reaches others.
+bool can_light(const geometry::Geometry& geometry) {
+  const geometry::Mesh* mesh = geometry.mesh();
+  return mesh != nullptr ? !mesh->triangles.empty() : renderer::is_area_light(*geometry.shape());
+}
+
 bool has_lamp(const shading::Scene& scene, const geometry::Object& object) {
-  return std::any_of(
-      object.geometries.begin(), object.geometries.end(), [&](const geometry::Geometry& geometry) {
-        return geometry.primitive_count() > 0 && geometry.material < scene.materials.size() &&
-               is_lamp(scene.materials[geometry.material]);
-      });
+  return std::any_of(object.geometries.begin(), object.geometries.end(),
+                     [&](const geometry::Geometry& geometry) {
+                       return can_light(geometry) && geometry.material < scene.materials.size() &&
+                              is_lamp(scene.materials[geometry.material]);
+                     });
 }
 
 std::string use_environment_file(const ViewOptions& options, shading::Scene& scene) {

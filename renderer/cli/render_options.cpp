@@ -41,7 +41,7 @@ void add_part_options(CLI::App& app, RenderOptions& options) {
   add_parsed(
       app, "--aov", options.aovs,
       [](const std::string& text) { return parse_names(text, "AOV", aov_names()); },
-      fmt::format("More layers for EXR files: all, or of {}", list_names(aov_names())))
+      fmt::format("More layers for EXR files: all, or of {}", fmt::join(aov_names(), ", ")))
       ->type_name("LIST")
       ->group(group);
   app.add_option("--threads", options.threads, "0: one for each core (0)")
@@ -104,6 +104,8 @@ Examples:
       From the +x side, slightly above, three metres from the target.
   lume render helmet.glb -o layers.exr --aov depth,normal,albedo --float
       More layers for compositing, all in 32 bits.
+  lume render gems.gltf -o gems.png --max-depth 10 --cutoff 0 --spp 64
+      Mirrors in mirrors ten levels deep, and no ray left out because it counts for little.
   lume render helmet.glb -o part.png --width 3840 --crop 640x360+1600+900
       A part of a large picture, with the same pixels as in the whole.
 

@@ -18,14 +18,14 @@ class Raycast final : public Integrator {
   Radiance radiance(const geometry::Ray& ray, const Sampler& sampler,
                     Ledger& ledger) const override {
     ++ledger.counts.camera;
-    return follow(
-        prepared_, {.ray = ray, .aim = {}}, sampler, ledger,
-        [&](const Branch& branch, const geometry::SurfacePoint& point,
-            const shading::MaterialPoint& material, const Sampler& layer, SurfaceNote* note) {
-          const shading::Bsdf bsdf(material, -branch.ray.direction, false);
-          return local_light(prepared_, branch, {point, material, bsdf, false}, settings_, layer,
-                             ledger, note);
-        });
+    return follow(prepared_, {.ray = ray, .aim = {}}, sampler, ledger,
+                  [&](const Branch& branch, const geometry::SurfacePoint& point,
+                      const shading::MaterialPoint& material, const Sampler& layer,
+                      SurfaceNote* note, Radiance& result) {
+                    const shading::Bsdf bsdf(material, -branch.ray.direction, false);
+                    local_light(prepared_, branch, {point, material, bsdf, false}, settings_, layer,
+                                ledger, note, result);
+                  });
   }
 
  private:

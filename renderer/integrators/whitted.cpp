@@ -36,41 +36,43 @@ class Whitted final : public Integrator {
   Radiance trace(const Branch& branch, const Sampler& sampler, Ledger& ledger) const {
     return follow(prepared_, branch, sampler, ledger,
                   [&](const Branch& layer, const SurfacePoint& point, const MaterialPoint& material,
-                      const Sampler& layer_sampler, SurfaceNote* note) {
-                    return shade(layer, point, material, layer_sampler, ledger, note);
+                      const Sampler& layer_sampler, SurfaceNote* note, Radiance& result) {
+                    shade(layer, point, material, layer_sampler, ledger, note, result);
                   });
   }
 
   /// What the surface sends along the branch.
-  Radiance shade(const Branch& branch, const SurfacePoint& point, const MaterialPoint& material,
-                 const Sampler& sampler, Ledger& ledger, SurfaceNote* note) const {
+  void shade(const Branch& branch, const SurfacePoint& point, const MaterialPoint& material,
+             const Sampler& sampler, Ledger& ledger, SurfaceNote* note, Radiance& result) const {
     const bool solid = material.material->is_solid();
     const bool inside = solid && !point.front_facing;
     const Bsdf bsdf(material, -branch.ray.direction, inside);
     const bool reflects = is_worth_tracing(branch, material, bsdf.reflection_color());
-    Radiance result = local_light(prepared_, branch, {point, material, bsdf, reflects}, settings_,
-                                  sampler, ledger, note);
+    local_light(prepared_, branch, {point, material, bsdf, reflects}, settings_, sampler, ledger,
+                note, result);
     if (note != nullptr) note->inside = inside;
     if (reflects) {
-      if (const auto sample = bsdf.sample_reflection(sampler.get_2d(k_reflection))) {
+      const Vec2 random = bsdf.reflects_sharply() ? Vec2(0.0f) : sampler.get_2d(k_reflection);
+      if (const auto sample = bsdf.sample_reflection(random)) {
         ++ledger.counts.reflection;
-        Branch child = spawn(branch, RayKind::reflection, point, *sample);
-        child.ray = leave(point, turned_outwards(sample->direction, point));
+        const Vec3 direction = turned_outwards(sample->direction, point);
+        Branch child = spawn(branch, RayKind::reflection, leave(point, direction), *sample);
         child.aim = environment_aim(material, bsdf);
         result.terms.reflected = collect(child, *sample, sampler.branch(k_reflection), ledger,
                                          result.depth, note ? &note->reflection : nullptr);
       }
     }
     if (is_worth_tracing(branch, material, bsdf.transmission_color())) {
-      if (const auto sample = bsdf.sample_transmission(sampler.get_2d(k_transmission))) {
+      const Vec2 random = bsdf.transmits_sharply() ? Vec2(0.0f) : sampler.get_2d(k_transmission);
+      if (const auto sample = bsdf.sample_transmission(random)) {
         ++ledger.counts.refraction;
-        Branch child = spawn(branch, RayKind::refraction, point, *sample);
+        const geometry::Ray ray = leave(point, sample->direction);
+        Branch child = spawn(branch, RayKind::refraction, ray, *sample);
         if (solid) child.inside = inside ? nullptr : material.material;
         result.terms.transmitted = collect(child, *sample, sampler.branch(k_transmission), ledger,
                                            result.depth, note ? &note->transmission : nullptr);
       }
     }
-    return result;
   }
 
   /// The light of a child ray, weighted. `depth` grows to what was reached.
@@ -90,10 +92,10 @@ class Whitted final : public Integrator {
     return height < 0.0f ? direction - 2.0f * height * side * point.geometric_normal : direction;
   }
 
-  /// The ray that goes on from `parent` in a sampled direction, through the same solid.
-  static Branch spawn(const Branch& parent, RayKind kind, const SurfacePoint& point,
+  /// The ray that goes on from `parent`, through the same solid.
+  static Branch spawn(const Branch& parent, RayKind kind, const geometry::Ray& ray,
                       const LobeSample& sample) {
-    return {.ray = leave(point, sample.direction),
+    return {.ray = ray,
             .kind = kind,
             .depth = parent.depth + 1,
             .weight = parent.weight * shading::max_component(sample.weight),

@@ -40,6 +40,27 @@ TEST(Lighting, LampOrLight_NeedsNoStudio) {
   EXPECT_FALSE(scene.environment);
 }
 
+TEST(Lighting, ShapesThatLightOthers_NeedNoStudio) {
+  shading::Material lamp;
+  lamp.emission = shading::Color(0.5f);
+  shading::Scene scene = make_scene(lamp);
+  scene.world.objects[0].geometries[0].surface = geometry::Shape(geometry::Sphere{1.0});
+  EXPECT_TRUE(has_light(scene));
+  scene.world.objects[0].geometries[0].surface = geometry::Shape(geometry::Torus{});
+  EXPECT_FALSE(has_light(scene)) << "it is only seen";
+}
+
+TEST(Lighting, AmbientLight_ComesFromTheFileOrTheOptions) {
+  shading::Scene scene = make_scene({});
+  ViewOptions options;
+  options.ambient = geometry::DVec3(0.25, 0.5, 1.0);
+  light_scene(options, scene);
+  EXPECT_EQ(scene.ambient, shading::Color(0.25f, 0.5f, 1.0f));
+  EXPECT_FALSE(scene.environment) << "it is light enough";
+  light_scene({}, scene);
+  EXPECT_EQ(scene.ambient, shading::Color(0.25f, 0.5f, 1.0f)) << "the file's";
+}
+
 TEST(Lighting, GlowingTexture_CountsFromMoreThanOneNit) {
   shading::Material material;
   material.emission_texture.texture = 0;

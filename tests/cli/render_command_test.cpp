@@ -49,6 +49,29 @@ class RenderCommand : public testing::Test {
   tests::TemporaryFolder folder_;
 };
 
+TEST_F(RenderCommand, Raycast_WritesItsTerms) {
+  const Outcome outcome =
+      render({"-o", "a.exr", "--width", "32", "--integrator", "raycast", "--ambient", "0.25,0.5,1",
+              "--no-shadows", "--float", "--aov", "ambient,recursion_depth"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Pixels pixels = read("a.exr");
+  EXPECT_EQ(pixels.spec.get_string_attribute("lume:integrator"), "raycast");
+  const auto& names = pixels.spec.channelnames;
+  EXPECT_THAT(names,
+              testing::IsSupersetOf({"ambient.R", "ambient.G", "ambient.B", "recursion_depth.V"}));
+}
+
+TEST_F(RenderCommand, ApertureWithoutAnythingInTheMiddle_AsksForTheFocus) {
+  const std::vector<std::string> away = {"-o",     "a.png",    "--width", "8",          "--orbit",
+                                         "0,90,3", "--target", "50,0,0",  "--aperture", "0.1"};
+  const Outcome outcome = render(away);
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("--focus"));
+  auto focused = away;
+  focused.insert(focused.end(), {"--focus", "2"});
+  EXPECT_EQ(render(focused).exit_code, 0);
+}
+
 TEST_F(RenderCommand, TwoOutputs_AreBothWritten) {
   const Outcome outcome = render({"-o", "a.png", "-o", "a.exr", "--width", "32"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;

@@ -66,7 +66,11 @@ TEST(RenderOptions, ValuesOutOfRange_AreRefused) {
   for (const auto& arguments : bad) {
     EXPECT_THROW((void)parse(arguments), CLI::ParseError) << arguments[0] << ' ' << arguments[1];
   }
+  EXPECT_THROW((void)parse({"--aperture", "-1"}), CLI::ParseError);
+  EXPECT_THROW((void)parse({"--cutoff", "1.5"}), CLI::ParseError);
+  EXPECT_THROW((void)parse({"--occlusion", "-1"}), CLI::ParseError);
   EXPECT_THROW((void)parse({"--background", "1,-1,1"}), UsageError);
+  EXPECT_THROW((void)parse({"--ambient", "1,-1,1"}), UsageError);
   EXPECT_THROW((void)parse({"--crop", "1x1"}), UsageError);
 }
 
@@ -84,6 +88,8 @@ TEST(RenderOptions, Contradictions_AreRefused) {
       {"a.glb", "-o", "a.png", "--orbit", "0,90,1", "--camera", "0"},
       {"a.glb", "-o", "a.png", "--orbit", "0,90,0"},
       {"a.glb", "-o", "a.png", "--target", "0,0,0"},
+      {"a.glb", "-o", "a.png", "--focus", "2"},
+      {"a.glb", "-o", "a.png", "--focus", "0", "--aperture", "0.1"},
       {"a.glb", "-o", "a.png", "--aov", "depth"},
       {"a.glb", "-o", "a.png", "-o", "./a.png"},
       {"a.glb", "-o", "f.#.png", "-o", "f.1.png"},

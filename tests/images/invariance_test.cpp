@@ -43,8 +43,10 @@ std::vector<shading::Vec4> cut(const Film& film, const shading::PixelRegion& par
 }
 
 const std::vector<Aov> k_all_aovs = {
-    Aov::depth,  Aov::position, Aov::normal,  Aov::geometric_normal,
-    Aov::albedo, Aov::instance, Aov::material};
+    Aov::depth,       Aov::position, Aov::normal,          Aov::geometric_normal,
+    Aov::albedo,      Aov::instance, Aov::material,        Aov::emitted,
+    Aov::ambient,     Aov::diffuse,  Aov::specular,        Aov::reflected,
+    Aov::transmitted, Aov::shadow,   Aov::recursion_depth, Aov::ray_count};
 
 class Invariance : public testing::TestWithParam<std::string> {};
 
@@ -93,7 +95,8 @@ TEST_P(Invariance, InstructionSet_ChangesOnlyRaysAlongEdges) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Assets, Invariance,
-                         testing::Values("afternoon", "alpha_modes", "far_away", "glass", "museum"),
+                         testing::Values("afternoon", "alpha_modes", "desk_lamp", "far_away",
+                                         "gems", "glass", "museum"),
                          [](const auto& scene) { return scene.param; });
 
 class EqualAccelerators : public testing::TestWithParam<std::string> {};
@@ -109,8 +112,8 @@ TEST_P(EqualAccelerators, BruteForceAndEmbree_GiveEqualBits) {
 // Scenes of few triangles: brute force looks at each one for each ray. None has a ray that meets
 // two triangles at exactly the same distance, where either answer would be right.
 INSTANTIATE_TEST_SUITE_P(Assets, EqualAccelerators,
-                         testing::Values("alpha_modes", "normal_maps", "teapot", "textures",
-                                         "whitted"),
+                         testing::Values("alpha_modes", "cornell", "desk_lamp", "gems",
+                                         "normal_maps", "teapot", "textures", "whitted"),
                          [](const auto& scene) { return scene.param; });
 
 }  // namespace

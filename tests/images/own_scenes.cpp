@@ -32,9 +32,9 @@ shading::Scene lit(shading::Scene scene) {
   return scene;
 }
 
-renderer::RenderResult render_scene(shading::Scene dark, const geometry::Camera& camera,
+renderer::RenderResult render_scene(shading::Scene scene, const geometry::Camera& camera,
                                     const Shot& shot) {
-  const shading::Scene scene = lit(std::move(dark));
+  scene = lit(std::move(scene));
   const renderer::PreparedScene prepared(scene, shot.accelerator);
   const auto integrator =
       renderer::make_integrator(renderer::integrator_names().front(), prepared, {});

@@ -14,7 +14,6 @@ namespace {
 using nlohmann::json;
 using shading::Color;
 using shading::Material;
-using shading::Phong;
 using shading::Vec2;
 using shading::Vec3;
 using shading::Vec4;

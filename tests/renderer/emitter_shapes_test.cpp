@@ -35,8 +35,8 @@ std::optional<geometry::SurfacePoint> meet(const Scene& scene, const Vec3& from,
                                            const Vec3& direction) {
   const geometry::Hit hit{0, 0, 0};
   const geometry::Ray ray{.origin = from, .direction = direction};
-  const auto crossing =
-      first_crossing(scene.world, to_object(scene.world.transform(hit), ray), hit, nullptr);
+  const auto crossing = first_crossing(scene.world.geometry(hit),
+                                       to_object(scene.world.transform(hit), ray), hit, nullptr);
   if (!crossing) return std::nullopt;
   return surface_point(scene.world, ray, hit, *crossing);
 }

@@ -3,6 +3,7 @@
 #include "tests/geometry/shapes/implicit_rays.h"
 #include "tests/geometry/shapes/line_oracle.h"
 #include "tests/geometry/shapes/surface_checks.h"
+#include "tests/support/cases.h"
 
 #include <gtest/gtest.h>
 
@@ -25,7 +26,7 @@ using test::Real;
 using test::Roots;
 using test::surface_of;
 
-constexpr int k_rays = 100'000;  // at each surface
+constexpr int k_rays = test::cases(100'000);  // at each surface
 
 struct Counts {
   int hits = 0;
