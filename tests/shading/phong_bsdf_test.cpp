@@ -196,7 +196,7 @@ TEST(PhongBsdf, GlossyReflection_FollowsTheLobe) {
       ASSERT_EQ(sample->weight, Color(0.5f));
       cells.count(sample->direction);
     }
-    const double n = static_cast<double>(glossiness);
+    const auto n = static_cast<double>(glossiness);
     const double integral = cells.expect(
         [n](double, double, double z) { return (n + 1.0) / (2.0 * M_PI) * std::pow(z, n); },
         k_samples, 16);
