@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 namespace lume::shading {
 namespace {
@@ -17,8 +16,6 @@ namespace {
 using geometry::DVec3;
 using geometry::k_pi;
 using test::Random;
-
-constexpr float k_infinity = std::numeric_limits<float>::infinity();
 
 /// A point with normal +z unless it is given.
 struct Surface {
