@@ -31,8 +31,8 @@ struct EmbreeQuery {
 /// A shape where an instance has it.
 struct PlacedShape {
   Hit hit;  ///< but for the primitive
-  const Geometry* geometry;
-  const Transform* transform;
+  const Geometry* geometry = nullptr;
+  const Transform* transform = nullptr;
 };
 
 /// What Embree's user primitives stand for, by primID. Their geometry's user pointer points here.
