@@ -8,6 +8,9 @@
 #include "renderer/shadow.h"
 #include "shading/material_point.h"
 
+#include <algorithm>
+#include <optional>
+
 namespace lume::renderer {
 
 /// A ray, and what must be known of the path to it.

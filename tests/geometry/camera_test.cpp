@@ -3,6 +3,7 @@
 
 #include "geometry/disk.h"
 #include "tests/support/chi_squared.h"
+#include "tests/support/near.h"
 #include "tests/support/random.h"
 
 #include <gtest/gtest.h>
@@ -15,13 +16,8 @@
 namespace lume::geometry {
 namespace {
 
+using test::expect_near;
 using test::Random;
-
-void expect_near(const Vec3& a, const Vec3& b, float tolerance) {
-  EXPECT_NEAR(a.x, b.x, tolerance);
-  EXPECT_NEAR(a.y, b.y, tolerance);
-  EXPECT_NEAR(a.z, b.z, tolerance);
-}
 
 /// Where a point appears in the image: x to the right and y down, both 0..1.
 Vec2 project(const Camera& camera, const Vec3& point, float aspect) {

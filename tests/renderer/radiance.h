@@ -4,6 +4,7 @@
 
 #include "renderer/integrator.h"
 #include "renderer/prepared_scene.h"
+#include "tests/support/near.h"
 
 #include <gtest/gtest.h>
 
@@ -29,11 +30,7 @@ inline Radiance mean_radiance(const shading::Scene& scene, const geometry::Ray& 
   return mean;
 }
 
-inline void expect_near(const Color& a, const Color& b, float tolerance) {
-  EXPECT_NEAR(a.x, b.x, tolerance);
-  EXPECT_NEAR(a.y, b.y, tolerance);
-  EXPECT_NEAR(a.z, b.z, tolerance);
-}
+using test::expect_near;
 
 inline const geometry::Ray k_down_z{.origin = {0.1f, 0.05f, 5.0f}, .direction = {0, 0, -1}};
 

@@ -3,6 +3,7 @@
 
 #include "shading/fresnel.h"
 #include "tests/support/chi_squared.h"
+#include "tests/support/near.h"
 #include "tests/support/random.h"
 
 #include <gtest/gtest.h>
@@ -10,6 +11,7 @@
 namespace lume::shading {
 namespace {
 
+using test::expect_near;
 using test::Random;
 
 /// A material at a point with normal +z.
@@ -32,18 +34,6 @@ struct Surface {
     return {point, to_viewer, inside};
   }
 };
-
-Vec3 upper_direction(Random& random) {
-  Vec3 v = random.direction();
-  v.z = std::abs(v.z) + 1e-3f;
-  return glm::normalize(v);
-}
-
-void expect_near(const Color& a, const Color& b, float tolerance) {
-  EXPECT_NEAR(a.x, b.x, tolerance);
-  EXPECT_NEAR(a.y, b.y, tolerance);
-  EXPECT_NEAR(a.z, b.z, tolerance);
-}
 
 TEST(Bsdf, RoughDielectric_IsLambertUnderFresnel) {
   Surface surface(Color(0.8f, 0.4f, 0.2f), 0.0f, 1.0f);
@@ -86,8 +76,8 @@ TEST(Bsdf, RandomMaterials_AreReciprocal) {
   for (int i = 0; i < 3000; ++i) {
     const Color color(random.uniform(), random.uniform(), random.uniform());
     Surface surface(color, random.uniform(), random.uniform(0.1f, 1.0f));
-    const Vec3 a = upper_direction(random);
-    const Vec3 b = upper_direction(random);
+    const Vec3 a = random.upper_direction();
+    const Vec3 b = random.upper_direction();
     const Bsdf from_a = surface.seen_from(a);
     const Bsdf from_b = surface.seen_from(b);
     const Color ab = (from_a.eval_diffuse(b) + from_a.eval_specular(b)) / b.z;
@@ -101,7 +91,7 @@ TEST(Bsdf, ReflectionSamples_CarryValueOverDensity) {
   int samples = 0;
   for (int i = 0; i < 5000; ++i) {
     Surface surface(Color(0.9f, 0.5f, 0.2f), random.uniform(), random.uniform(0.2f, 1.0f));
-    const Bsdf bsdf = surface.seen_from(upper_direction(random));
+    const Bsdf bsdf = surface.seen_from(random.upper_direction());
     const auto sample = bsdf.sample_reflection(random.square());
     if (!sample) continue;
     ++samples;

@@ -4,6 +4,7 @@
 
 #include "shading/fresnel.h"
 #include "tests/support/chi_squared.h"
+#include "tests/support/near.h"
 #include "tests/support/random.h"
 
 #include <gtest/gtest.h>
@@ -15,6 +16,7 @@ namespace {
 
 using geometry::DVec3;
 using geometry::k_pi;
+using test::expect_near;
 using test::Random;
 
 /// A point with normal +z unless it is given.
@@ -37,12 +39,6 @@ struct Surface {
 Vec3 at_angle(double degrees) {
   const double angle = degrees * M_PI / 180.0;
   return {static_cast<float>(std::sin(angle)), 0.0f, static_cast<float>(std::cos(angle))};
-}
-
-void expect_near(const Vec3& a, const Vec3& b, float tolerance) {
-  EXPECT_NEAR(a.x, b.x, tolerance);
-  EXPECT_NEAR(a.y, b.y, tolerance);
-  EXPECT_NEAR(a.z, b.z, tolerance);
 }
 
 TEST(PhongBsdf, Terms_AreTheCoursesByHand) {

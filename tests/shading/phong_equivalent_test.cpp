@@ -4,6 +4,7 @@
 
 #include "shading/bsdf.h"
 #include "shading/microfacet.h"
+#include "tests/support/near.h"
 #include "tests/support/random.h"
 
 #include <gtest/gtest.h>
@@ -13,6 +14,7 @@
 namespace lume::shading {
 namespace {
 
+using test::expect_near;
 using test::Random;
 
 struct Surface {
@@ -24,18 +26,6 @@ struct Surface {
     point.normal = {0, 0, 1};
   }
 };
-
-Vec3 upper_direction(Random& random) {
-  Vec3 v = random.direction();
-  v.z = std::abs(v.z) + 1e-3f;
-  return glm::normalize(v);
-}
-
-void expect_near(const Color& a, const Color& b, float tolerance) {
-  EXPECT_NEAR(a.x, b.x, tolerance);
-  EXPECT_NEAR(a.y, b.y, tolerance);
-  EXPECT_NEAR(a.z, b.z, tolerance);
-}
 
 /// The same surface, described by the course's coefficients.
 Surface described_by_phong(const Surface& surface) {
@@ -80,7 +70,7 @@ TEST(EquivalentPhong, MatteSurface_IsTheSameToEveryLight) {
   matte.point.base_color = Color(0.8f, 0.4f, 0.2f);
   Surface phong = described_by_phong(matte);
   for (int i = 0; i < 10000; ++i) {
-    const Vec3 v = upper_direction(random);
+    const Vec3 v = random.upper_direction();
     const Vec3 l = random.direction();
     const Bsdf a(matte.point, v, false);
     const Bsdf b(phong.point, v, false);
@@ -147,7 +137,7 @@ TEST(Bsdf, Ambient_IsTheDiffusePartUnderEvenLight) {
     surface.point.metallic = random.uniform();
     surface.point.transmission = i % 2 == 0 ? 0.0f : random.uniform();
     surface.material.ior = random.uniform(1.0f, 2.5f);
-    const Vec3 v = upper_direction(random);
+    const Vec3 v = random.upper_direction();
     const Bsdf gltf(surface.point, v, false);
     expect_near(gltf.ambient(), integrate_diffuse(gltf), 2e-4f);
     surface.material.phong.emplace();

@@ -31,6 +31,12 @@ class Random {
     const float r = std::sqrt(1.0f - z * z);
     return {r * std::cos(phi), r * std::sin(phi), z};
   }
+  /// A unit vector on +z's side, and not quite beside it.
+  geometry::Vec3 upper_direction() {
+    geometry::Vec3 v = direction();
+    v.z = std::abs(v.z) + 1e-3f;
+    return glm::normalize(v);
+  }
   std::uint32_t below(std::uint32_t count) { return static_cast<std::uint32_t>(engine_() % count); }
 
  private:
