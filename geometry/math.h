@@ -32,6 +32,13 @@ inline constexpr float k_pi = std::numbers::pi_v<float>;
   return v.x * 0.0f + v.y * 0.0f + v.z * 0.0f == 0.0f;
 }
 
+/// The axis along which a vector is longest.
+[[nodiscard]] inline int dominant_axis(const DVec3& v) {
+  const DVec3 size = glm::abs(v);
+  if (size.x > size.y) return size.x > size.z ? 0 : 2;
+  return size.y > size.z ? 1 : 2;
+}
+
 /// An orthonormal frame; `normal` is its third axis, so local z is the height above a surface.
 struct Frame {
   Vec3 tangent;

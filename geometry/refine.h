@@ -6,28 +6,18 @@
 #include "geometry/crossing.h"
 #include "geometry/hole_test.h"
 #include "geometry/ray.h"
+#include "geometry/shapes/triangle.h"
 #include "geometry/world.h"
 
 #include <optional>
 
 namespace lume::geometry {
 
-/// Where the line of a ray crosses a triangle, in the triangle's object space and in double.
-struct TriangleCrossing {
-  double t = 0.0;
-  double u = 0.0;  ///< barycentric coordinate of corner 1
-  double v = 0.0;  ///< barycentric coordinate of corner 2
-  /// The line passes through the triangle (edges included) and is not in its plane.
-  bool inside = false;
-};
-
-/// The watertight ray/triangle test of Woop, Benthin and Wald 2013 ("Watertight Ray/Triangle
-/// Intersection", JCGT 2(1)), carried out in double. `inside` alone says whether the line meets the
-/// triangle; t, u and v are then exact to double rounding. Where it does not, t, u, v are those of
-/// the nearest point that is in the triangle, so that a hit which a float accelerator reported one
+/// The crossing of a ray's line with a triangle, or where there is none, with `inside` false, the
+/// nearest point that is in the triangle, so that a hit which a float accelerator reported one
 /// rounding beyond an edge still lies on its primitive.
-[[nodiscard]] TriangleCrossing intersect_triangle(const DVec3& origin, const DVec3& direction,
-                                                  const DVec3& a, const DVec3& b, const DVec3& c);
+[[nodiscard]] TriangleCrossing nearest_on_triangle(const DVec3& origin, const DVec3& direction,
+                                                   const DVec3& a, const DVec3& b, const DVec3& c);
 
 /// A world ray taken into the space of an instance.
 [[nodiscard]] inline ObjectRay to_object(const Transform& transform, const Ray& ray) {

@@ -1,27 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/accelerators/accelerator.h"
 
-#include "geometry/accelerators/brute_force.h"
-#include "geometry/accelerators/embree.h"
+#include "geometry/accelerators/registry.h"
 
 #include <array>
 #include <stdexcept>
 #include <string>
 
 namespace lume::geometry {
-namespace {
-
-struct Entry {
-  std::string_view name;
-  std::unique_ptr<Accelerator> (*make)(const World&, const HoleTest*);
-};
-
-constexpr std::array k_entries = {
-    Entry{"embree", make_embree},
-    Entry{"brute-force", make_brute_force},
-};
-
-}  // namespace
 
 AcceleratorStats::AcceleratorStats(const World& world) : instances(world.instances.size()) {
   for (const Object& object : world.objects) {
@@ -29,19 +15,39 @@ AcceleratorStats::AcceleratorStats(const World& world) : instances(world.instanc
   }
 }
 
+void Accelerator::closest_hits(std::span<const Ray> rays,
+                               std::span<std::optional<Hit>> hits) const {
+  for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = closest_hit(rays[i]);
+}
+
+void Accelerator::any_hits(std::span<const Ray> rays, std::span<std::uint8_t> occluded) const {
+  for (std::size_t i = 0; i < rays.size(); ++i) occluded[i] = any_hit(rays[i]) ? 1 : 0;
+}
+
+std::optional<Hit> Accelerator::closest_hit_counted(const Ray& ray, TraversalCost& /*cost*/) const {
+  return closest_hit(ray);
+}
+
+bool Accelerator::any_hit_counted(const Ray& ray, TraversalCost& /*cost*/) const {
+  return any_hit(ray);
+}
+
+void Accelerator::prepare_view(const Camera& /*camera*/, int /*width*/, int /*height*/) {}
+
 std::span<const std::string_view> accelerator_names() {
   static constexpr auto k_names = [] {
-    std::array<std::string_view, k_entries.size()> names;
-    for (std::size_t i = 0; i < names.size(); ++i) names[i] = k_entries[i].name;
+    std::array<std::string_view, k_registry.size()> names;
+    for (std::size_t i = 0; i < names.size(); ++i) names[i] = k_registry[i].name;
     return names;
   }();
   return k_names;
 }
 
 std::unique_ptr<Accelerator> make_accelerator(std::string_view name, const World& world,
-                                              const HoleTest* holes) {
-  for (const Entry& entry : k_entries) {
-    if (entry.name == name) return entry.make(world, holes);
+                                              const HoleTest* holes,
+                                              const AcceleratorOptions& options) {
+  for (const AcceleratorEntry& entry : k_registry) {
+    if (entry.name == name) return entry.make(world, holes, options);
   }
   throw std::invalid_argument("unknown accelerator: " + std::string(name));
 }

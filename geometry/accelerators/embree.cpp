@@ -2,6 +2,7 @@
 #include "geometry/accelerators/embree.h"
 
 #include "geometry/accelerators/embree_callbacks.h"
+#include "geometry/accelerators/registry.h"
 
 #include <algorithm>
 #include <atomic>
@@ -29,9 +30,15 @@ RTCRay to_embree(const Ray& ray) {
   return result;
 }
 
+enum class Quality {
+  robust,  ///< no ray slips between triangles that share an edge; one in six does otherwise
+  high     ///< the best tree that Embree builds, which it does not combine with the former
+};
+
 class Embree final : public Accelerator {
  public:
-  Embree(const World& world, const HoleTest* holes) : world_(world), holes_(holes) {
+  Embree(const World& world, const HoleTest* holes, Quality quality)
+      : world_(world), holes_(holes), quality_(quality) {
     const auto start = std::chrono::steady_clock::now();
     device_ = rtcNewDevice(std::getenv("LUME_EMBREE_CONFIG"));
     if (device_ == nullptr) throw std::runtime_error("Embree cannot start: " + last_error());
@@ -88,9 +95,9 @@ class Embree final : public Accelerator {
 
   [[nodiscard]] RTCScene new_scene() const {
     RTCScene scene = rtcNewScene(device_);
-    // Without ROBUST one ray in six that is aimed at a shared edge slips through it.
-    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
-    rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
+    const bool robust = quality_ == Quality::robust;
+    rtcSetSceneFlags(scene, robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);
+    rtcSetSceneBuildQuality(scene, robust ? RTC_BUILD_QUALITY_MEDIUM : RTC_BUILD_QUALITY_HIGH);
     return scene;
   }
 
@@ -232,6 +239,7 @@ class Embree final : public Accelerator {
 
   const World& world_;
   const HoleTest* holes_;
+  Quality quality_;
   RTCDevice device_ = nullptr;
   RTCScene scene_ = nullptr;
   std::vector<RTCScene> object_scenes_;  ///< by object; null if it has no triangles
@@ -244,8 +252,14 @@ class Embree final : public Accelerator {
 
 }  // namespace
 
-std::unique_ptr<Accelerator> make_embree(const World& world, const HoleTest* holes) {
-  return std::make_unique<Embree>(world, holes);
+std::unique_ptr<Accelerator> make_embree(const World& world, const HoleTest* holes,
+                                         const AcceleratorOptions& /*options*/) {
+  return std::make_unique<Embree>(world, holes, Quality::robust);
+}
+
+std::unique_ptr<Accelerator> make_embree_high(const World& world, const HoleTest* holes,
+                                              const AcceleratorOptions& /*options*/) {
+  return std::make_unique<Embree>(world, holes, Quality::high);
 }
 
 std::string embree_version() {

@@ -51,7 +51,7 @@ TEST(IntersectTriangle, RandomRays_AgreeWithQuadruplePrecision) {
     const DVec3 direction = DVec3(random.cube(1.0f)) - origin;
     const Oracle oracle(origin, direction, a, b, c);
     const double slack = std::min({oracle.u, oracle.v, 1.0 - oracle.u - oracle.v});
-    const TriangleCrossing crossing = intersect_triangle(origin, direction, a, b, c);
+    const TriangleCrossing crossing = nearest_on_triangle(origin, direction, a, b, c);
     if (std::abs(slack) > 1e-12) {
       ASSERT_EQ(crossing.inside, slack > 0.0) << "case " << i;
     }
@@ -76,8 +76,8 @@ TEST(IntersectTriangle, RaysThroughSharedEdges_NeverSlipBetweenTheTriangles) {
     const DVec3 on_edge = a + along * static_cast<double>(random.uniform());
     const DVec3 origin(random.cube(3.0f));
     const DVec3 direction(Vec3(on_edge - origin));  // rounded to float: not quite on the edge
-    const TriangleCrossing one = intersect_triangle(origin, direction, a, b, c);
-    const TriangleCrossing other = intersect_triangle(origin, direction, b, a, d);
+    const TriangleCrossing one = nearest_on_triangle(origin, direction, a, b, c);
+    const TriangleCrossing other = nearest_on_triangle(origin, direction, b, a, d);
     ASSERT_TRUE(one.inside || other.inside) << "case " << i;
   }
 }
@@ -91,9 +91,9 @@ TEST(IntersectTriangle, RaysThroughACorner_MeetOneOfTheTrianglesAroundIt) {
     const DVec3 d = hub + (hub - b) + (hub - c);
     const DVec3 origin(random.cube(3.0f));
     const DVec3 direction(Vec3(hub - origin));
-    ASSERT_TRUE(intersect_triangle(origin, direction, hub, b, c).inside ||
-                intersect_triangle(origin, direction, hub, c, d).inside ||
-                intersect_triangle(origin, direction, hub, d, b).inside)
+    ASSERT_TRUE(nearest_on_triangle(origin, direction, hub, b, c).inside ||
+                nearest_on_triangle(origin, direction, hub, c, d).inside ||
+                nearest_on_triangle(origin, direction, hub, d, b).inside)
         << "case " << i;
   }
 }
@@ -106,7 +106,7 @@ TEST(IntersectTriangle, MissedTriangle_GivesAPointInIt) {
     const DVec3 b(random.cube(1.0f));
     const DVec3 c(random.cube(1.0f));
     const TriangleCrossing crossing =
-        intersect_triangle(DVec3(random.cube(3.0f)), DVec3(random.direction()), a, b, c);
+        nearest_on_triangle(DVec3(random.cube(3.0f)), DVec3(random.direction()), a, b, c);
     if (!crossing.inside) ++misses;
     ASSERT_GE(crossing.u, 0.0);
     ASSERT_GE(crossing.v, 0.0);
@@ -118,10 +118,10 @@ TEST(IntersectTriangle, MissedTriangle_GivesAPointInIt) {
 
 TEST(IntersectTriangle, DegenerateTriangle_IsNotMetAndStaysFinite) {
   const DVec3 a(1, 2, 3);
-  const TriangleCrossing point = intersect_triangle({0, 0, 0}, {1, 2, 3}, a, a, a);
+  const TriangleCrossing point = nearest_on_triangle({0, 0, 0}, {1, 2, 3}, a, a, a);
   EXPECT_FALSE(point.inside);
   EXPECT_TRUE(std::isfinite(point.t + point.u + point.v));
-  const TriangleCrossing line = intersect_triangle({0, 0, 0}, {1, 2, 3}, a, a * 2.0, a * 3.0);
+  const TriangleCrossing line = nearest_on_triangle({0, 0, 0}, {1, 2, 3}, a, a * 2.0, a * 3.0);
   EXPECT_FALSE(line.inside);
   EXPECT_TRUE(std::isfinite(line.t + line.u + line.v));
 }

@@ -1,0 +1,378 @@
+// SPDX-License-Identifier: Apache-2.0
+// The traversals of the wide tree, written once over the handful of SIMD operations that a `Simd`
+// type names (simd_scalar.h, simd_avx2.h, simd_avx512.h).
+//
+// Boxes are tested in float, so that none is missed that a ray in double meets; triangles in double
+// by the very operations of intersect_triangle() (shapes/triangle.h), four at a time. So the
+// kernels name the same triangle as brute force, on every processor.
+#pragma once
+
+#include "geometry/accelerators/wide/query.h"
+
+#include <bit>
+#include <cmath>
+
+namespace lume::geometry::wide {
+
+/// What a ray's direction and origin become, as Simd::prepare() computes it.
+struct alignas(16) Reciprocal {
+  /// Directions that are flatter count as this flat, so that no product is not a number.
+  static constexpr double k_flattest = 1e-18;
+  /// 1 / d, o / d, a product and a sum are rounded, each by 2^-24 of (|plane| + |o|) / |d| at most.
+  static constexpr double k_rounding = 0x1p-22;
+
+  float inverse[4];
+  float near_offset[4];
+  float far_offset[4];
+  double scale;
+};
+
+/// A ray made ready for the boxes of a tree: t = plane / d - o / d in one fused multiply-add, where
+/// o / d is moved by what may be rounded anywhere on the way, for the far planes up, for the near
+/// ones down (Ize 2013, "Robust BVH Ray Traversal", JCGT 2(2), widens each interval instead). Along
+/// its longest axis the direction has length 1 here, so that nothing overflows.
+template <class Simd>
+struct BoxRay {
+  using Float8 = typename Simd::Float8;
+
+  [[gnu::always_inline]] BoxRay(const TreeRay& ray, const float (&farthest)[4]) {
+    Reciprocal reciprocal;
+    Simd::prepare(ray, farthest, reciprocal);
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      inverse[axis] = Simd::fill(reciprocal.inverse[axis]);
+      near_offset[axis] = Simd::fill(reciprocal.near_offset[axis]);
+      far_offset[axis] = Simd::fill(reciprocal.far_offset[axis]);
+      near_row[axis] = 2 * axis + (std::signbit(ray.direction[axis]) ? 1 : 0);
+    }
+    scale = reciprocal.scale;
+    t_min = Simd::fill(static_cast<float>(ray.t_min * scale * (1.0 - 0x1p-22)));
+    set_t_max(ray.t_max);
+  }
+
+  [[gnu::always_inline]] void set_t_max(double t) {
+    last = static_cast<float>(t * scale * (1.0 + 0x1p-22));
+    t_max = Simd::fill(last);
+  }
+
+  /// A mask of the children whose boxes the ray meets, and where it enters each.
+  [[gnu::always_inline]] unsigned enter(const Node& node, float (&entries)[k_width]) const {
+    const auto near = [&](unsigned axis) {
+      return Simd::fma(node.planes[near_row[axis]], inverse[axis], near_offset[axis]);
+    };
+    const auto far = [&](unsigned axis) {
+      return Simd::fma(node.planes[near_row[axis] ^ 1u], inverse[axis], far_offset[axis]);
+    };
+    const Float8 first = Simd::max(Simd::max(near(0), near(1)), Simd::max(near(2), t_min));
+    const Float8 second = Simd::min(Simd::min(far(0), far(1)), Simd::min(far(2), t_max));
+    Simd::store(entries, first);
+    return Simd::not_above(first, second);
+  }
+
+  Float8 inverse[3];
+  Float8 near_offset[3];
+  Float8 far_offset[3];
+  Float8 t_min;
+  Float8 t_max;
+  unsigned near_row[3];  ///< of Node::planes; its neighbour is the far one
+  float last;            ///< t_max, once
+  double scale;          ///< from the ray's t to the t here
+};
+
+/// A ray made ready for triangles: ShearedRay of shapes/triangle.h in plain numbers.
+struct ShearRay {
+  double origin[3];
+  unsigned x;
+  unsigned y;
+  unsigned z;
+  double shear_x;
+  double shear_y;
+  double length_z;
+
+  [[gnu::always_inline]] explicit ShearRay(const TreeRay& ray)
+      : origin{ray.origin[0], ray.origin[1], ray.origin[2]} {
+    const double* d = ray.direction;
+    const double dx = std::fabs(d[0]);
+    const double dy = std::fabs(d[1]);
+    const double dz = std::fabs(d[2]);
+    if (dx > dy) {
+      z = dx > dz ? 0 : 2;
+    } else {
+      z = dy > dz ? 1 : 2;
+    }
+    x = (z + 1) % 3;
+    y = (x + 1) % 3;
+    if (d[z] < 0.0) {
+      const unsigned other = x;
+      x = y;
+      y = other;
+    }
+    shear_x = d[x] / d[z];
+    shear_y = d[y] / d[z];
+    length_z = d[z];
+  }
+};
+
+/// The crossings of a ray with a block: a mask of the triangles that its line passes through, and
+/// what it takes to say where.
+template <class Simd>
+struct BlockCrossing {
+  using Double4 = typename Simd::Double4;
+
+  [[gnu::always_inline]] BlockCrossing(const ShearRay& ray, const TriangleBlock& block) {
+    const Double4 ox = Simd::set(ray.origin[ray.x]);
+    const Double4 oy = Simd::set(ray.origin[ray.y]);
+    const Double4 oz = Simd::set(ray.origin[ray.z]);
+    const Double4 shear_x = Simd::set(ray.shear_x);
+    const Double4 shear_y = Simd::set(ray.shear_y);
+    Double4 x[3];
+    Double4 y[3];
+    for (unsigned i = 0; i < 3; ++i) {
+      z[i] = Simd::sub(Simd::widen(block.corner[i][ray.z]), oz);
+      x[i] =
+          Simd::sub(Simd::sub(Simd::widen(block.corner[i][ray.x]), ox), Simd::mul(shear_x, z[i]));
+      y[i] =
+          Simd::sub(Simd::sub(Simd::widen(block.corner[i][ray.y]), oy), Simd::mul(shear_y, z[i]));
+    }
+    weight[0] = Simd::sub(Simd::mul(x[2], y[1]), Simd::mul(y[2], x[1]));
+    weight[1] = Simd::sub(Simd::mul(x[0], y[2]), Simd::mul(y[0], x[2]));
+    weight[2] = Simd::sub(Simd::mul(x[1], y[0]), Simd::mul(y[1], x[0]));
+    sum = Simd::add(Simd::add(weight[0], weight[1]), weight[2]);
+    mask = Simd::same_sign(weight[0], weight[1], weight[2]) & Simd::not_zero(sum);
+  }
+
+  /// Distances along the ray; of use where the mask says so.
+  [[nodiscard, gnu::always_inline]] Double4 t(const ShearRay& ray) const {
+    const Double4 weighted =
+        Simd::add(Simd::add(Simd::mul(weight[0], z[0]), Simd::mul(weight[1], z[1])),
+                  Simd::mul(weight[2], z[2]));
+    return Simd::div(weighted, Simd::mul(sum, Simd::set(ray.length_z)));
+  }
+
+  /// Whether the crossing with triangle `lane` is a hole.
+  [[nodiscard]] bool is_hole(const Holes& holes, std::uint32_t item, unsigned lane) const {
+    alignas(32) double w1[4];
+    alignas(32) double w2[4];
+    alignas(32) double all[4];
+    Simd::store(w1, weight[1]);
+    Simd::store(w2, weight[2]);
+    Simd::store(all, sum);
+    return holes.is_hole(holes.context, item, w1[lane] / all[lane], w2[lane] / all[lane]);
+  }
+
+  Double4 weight[3];
+  Double4 z[3];
+  Double4 sum;
+  unsigned mask;
+};
+
+/// The two bits that say what a traversal has to do beyond the plain search.
+template <bool HasHoles, bool Counts>
+struct Mode {
+  static constexpr bool k_has_holes = HasHoles;
+  static constexpr bool k_counts = Counts;
+};
+
+/// A child to be visited, and the t at which its box begins (in the upper half, so that entries
+/// sort by it: floats that are not negative are in the order of their bits).
+using StackEntry = std::uint64_t;
+
+[[gnu::always_inline]] inline void prefetch(const Tree& tree, std::uint32_t child) {
+  const char* data = Child::is_leaf(child)
+                         ? reinterpret_cast<const char*>(tree.blocks.data() + Child::first(child))
+                         : reinterpret_cast<const char*>(tree.nodes.data() + child);
+  __builtin_prefetch(data);
+  __builtin_prefetch(data + 64);
+  __builtin_prefetch(data + 128);
+  __builtin_prefetch(data + 192);
+}
+
+[[gnu::always_inline]] inline StackEntry stack_entry(float t, std::uint32_t child) {
+  return static_cast<StackEntry>(std::bit_cast<std::uint32_t>(t)) << 32u | child;
+}
+[[gnu::always_inline]] inline float entry_t(StackEntry entry) {
+  return std::bit_cast<float>(static_cast<std::uint32_t>(entry >> 32u));
+}
+[[gnu::always_inline]] inline std::uint32_t entry_child(StackEntry entry) {
+  return static_cast<std::uint32_t>(entry);
+}
+
+/// Puts the children of a node that the ray meets on the stack, the nearest on top if they are to
+/// be sorted, but returns the top itself. False if it meets none.
+template <class Simd, bool Sorted>
+[[gnu::always_inline]] inline bool descend(const Tree& tree, const Node& node,
+                                           const BoxRay<Simd>& ray, StackEntry*& stack,
+                                           std::uint32_t& child) {
+  alignas(32) float enter[k_width];
+  unsigned mask = ray.enter(node, enter);
+  if (mask == 0) return false;
+  const auto take_lane = [&mask] {
+    const auto lane = static_cast<unsigned>(std::countr_zero(mask));
+    mask &= mask - 1;
+    return lane;
+  };
+  const auto entry = [&](unsigned lane) {
+    prefetch(tree, node.child[lane]);
+    return stack_entry(enter[lane], node.child[lane]);
+  };
+  const unsigned first = take_lane();
+  child = node.child[first];
+  if (mask == 0) return true;
+  if constexpr (!Sorted) {
+    while (mask != 0) *stack++ = entry(take_lane());
+    return true;
+  }
+  const unsigned second = take_lane();
+  if (mask == 0) {
+    const bool in_order = enter[first] <= enter[second];
+    *stack++ = entry(in_order ? second : first);
+    child = node.child[in_order ? first : second];
+    return true;
+  }
+  StackEntry* const bottom = stack;
+  const auto insert = [&](StackEntry added) {
+    StackEntry* place = stack++;
+    for (; place > bottom && place[-1] < added; --place) *place = place[-1];
+    *place = added;
+  };
+  insert(entry(first));
+  insert(entry(second));
+  while (mask != 0) insert(entry(take_lane()));
+  child = entry_child(*--stack);
+  return true;
+}
+
+/// Visits the leaves that the ray meets, nearest first if they are to be sorted; `visit(first,
+/// count)` returns true to end the search, whose result it then is. visit may lower box_ray.t_max.
+template <class Simd, bool Sorted, bool Counts, class Visit>
+[[gnu::always_inline]] inline bool traverse(const Tree& tree, BoxRay<Simd>& box_ray,
+                                            TraversalCost* cost, const Visit& visit) {
+  if (tree.is_empty) return false;
+  StackEntry stack_bottom[k_stack_size];
+  StackEntry* stack = stack_bottom;
+  std::uint32_t child = tree.root;
+  while (true) {
+    while (!Child::is_leaf(child)) {
+      if constexpr (Counts) ++cost->nodes;
+      if (!descend<Simd, Sorted>(tree, tree.nodes[child], box_ray, stack, child)) goto next;
+    }
+    if (visit(Child::first(child), Child::count(child))) return true;
+  next:
+    do {
+      if (stack == stack_bottom) return false;
+      --stack;
+    } while (Sorted && entry_t(*stack) > box_ray.last);
+    child = entry_child(*stack);
+  }
+}
+
+/// Takes of a block's crossings the nearest.
+template <class Simd, class Mode>
+[[gnu::always_inline]] inline void take_nearest(const ShearRay& ray, const TriangleBlock& block,
+                                                TriangleQuery& query, BoxRay<Simd>& box_ray) {
+  const BlockCrossing<Simd> crossing(ray, block);
+  if (crossing.mask == 0) return;
+  alignas(32) double t[TriangleBlock::k_size];
+  Simd::store(t, crossing.t(ray));
+  for (unsigned mask = crossing.mask; mask != 0; mask &= mask - 1) {
+    const auto lane = static_cast<unsigned>(std::countr_zero(mask));
+    const std::uint32_t item = block.item[lane];
+    const bool nearer =
+        t[lane] < query.ray.t_max || (t[lane] == query.ray.t_max && item < query.item_limit);
+    if (!nearer || !(t[lane] >= query.ray.t_min)) continue;
+    if (Mode::k_has_holes && crossing.is_hole(query.holes, item, lane)) continue;
+    query.item = query.item_limit = item;
+    query.ray.t_max = t[lane];
+    box_ray.set_t_max(t[lane]);
+  }
+}
+
+/// Whether the ray crosses any triangle of a block.
+template <class Simd, class Mode>
+[[gnu::always_inline]] inline bool crosses(const ShearRay& ray, const TriangleBlock& block,
+                                           const TriangleQuery& query) {
+  const BlockCrossing<Simd> crossing(ray, block);
+  if (crossing.mask == 0) return false;
+  const unsigned mask =
+      crossing.mask & Simd::between(crossing.t(ray), query.ray.t_min, query.ray.t_max);
+  if (!Mode::k_has_holes) return mask != 0;
+  for (unsigned rest = mask; rest != 0; rest &= rest - 1) {
+    const auto lane = static_cast<unsigned>(std::countr_zero(rest));
+    if (!crossing.is_hole(query.holes, block.item[lane], lane)) return true;
+  }
+  return false;
+}
+
+template <class Simd, class Mode>
+void find_closest(const Tree& tree, TriangleQuery& query) {
+  BoxRay<Simd> box_ray(query.ray, tree.farthest);
+  const ShearRay ray(query.ray);
+  for (std::size_t i = 0; i < tree.outliers.size(); ++i) {
+    take_nearest<Simd, Mode>(ray, tree.outliers[i], query, box_ray);
+  }
+  traverse<Simd, true, Mode::k_counts>(
+      tree, box_ray, query.cost, [&](std::uint32_t first, std::uint32_t count) {
+        if constexpr (Mode::k_counts) query.cost->primitive_tests += count * TriangleBlock::k_size;
+        for (std::uint32_t i = first; i < first + count; ++i) {
+          take_nearest<Simd, Mode>(ray, tree.blocks[i], query, box_ray);
+        }
+        return false;
+      });
+}
+
+template <class Simd, class Mode>
+bool find_any(const Tree& tree, TriangleQuery& query) {
+  BoxRay<Simd> box_ray(query.ray, tree.farthest);
+  const ShearRay ray(query.ray);
+  for (std::size_t i = 0; i < tree.outliers.size(); ++i) {
+    if (crosses<Simd, Mode>(ray, tree.outliers[i], query)) return true;
+  }
+  return traverse<Simd, false, Mode::k_counts>(
+      tree, box_ray, query.cost, [&](std::uint32_t first, std::uint32_t count) {
+        for (std::uint32_t i = first; i < first + count; ++i) {
+          if constexpr (Mode::k_counts) query.cost->primitive_tests += TriangleBlock::k_size;
+          if (crosses<Simd, Mode>(ray, tree.blocks[i], query)) return true;
+        }
+        return false;
+      });
+}
+
+template <class Simd, bool Counts>
+bool visit_scene(const Tree& tree, SceneQuery& query) {
+  BoxRay<Simd> box_ray(query.ray, tree.farthest);
+  return traverse<Simd, true, Counts>(tree, box_ray, query.cost,
+                                      [&](std::uint32_t first, std::uint32_t count) {
+                                        for (std::uint32_t i = first; i < first + count; ++i) {
+                                          if (query.visit(query, tree.entries[i])) return true;
+                                        }
+                                        box_ray.set_t_max(query.ray.t_max);
+                                        return false;
+                                      });
+}
+
+/// The table entries: the mode is chosen once a query.
+template <class Simd>
+struct KernelOf {
+  static void closest(const Tree& tree, TriangleQuery& query) {
+    if (query.cost != nullptr) {
+      query.holes.is_hole != nullptr ? find_closest<Simd, Mode<true, true>>(tree, query)
+                                     : find_closest<Simd, Mode<false, true>>(tree, query);
+    } else {
+      query.holes.is_hole != nullptr ? find_closest<Simd, Mode<true, false>>(tree, query)
+                                     : find_closest<Simd, Mode<false, false>>(tree, query);
+    }
+  }
+  static bool any(const Tree& tree, TriangleQuery& query) {
+    if (query.cost != nullptr) {
+      return query.holes.is_hole != nullptr ? find_any<Simd, Mode<true, true>>(tree, query)
+                                            : find_any<Simd, Mode<false, true>>(tree, query);
+    }
+    return query.holes.is_hole != nullptr ? find_any<Simd, Mode<true, false>>(tree, query)
+                                          : find_any<Simd, Mode<false, false>>(tree, query);
+  }
+  static bool scene(const Tree& tree, SceneQuery& query) {
+    return query.cost != nullptr ? visit_scene<Simd, true>(tree, query)
+                                 : visit_scene<Simd, false>(tree, query);
+  }
+};
+
+}  // namespace lume::geometry::wide

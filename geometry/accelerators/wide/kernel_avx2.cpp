@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/accelerators/wide/simd_avx2.h"
+
+namespace lume::geometry::wide {
+
+const Kernel k_avx2_kernel = {"avx2", KernelOf<Avx2>::closest, KernelOf<Avx2>::any,
+                              KernelOf<Avx2>::scene};
+
+}  // namespace lume::geometry::wide
