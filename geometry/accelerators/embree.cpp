@@ -2,11 +2,13 @@
 #include "geometry/accelerators/embree.h"
 
 #include "geometry/accelerators/embree_callbacks.h"
+#include "geometry/accelerators/items.h"
 #include "geometry/accelerators/registry.h"
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <stdexcept>
@@ -37,8 +39,9 @@ enum class Quality {
 
 class Embree final : public Accelerator {
  public:
-  Embree(const World& world, const HoleTest* holes, Quality quality)
-      : world_(world), holes_(holes), quality_(quality) {
+  Embree(const World& world, const HoleTest* holes, Quality quality, bool native_hits)
+      : world_(world), holes_(holes), quality_(quality), native_hits_(native_hits) {
+    if (!native_hits) referee_ = make_brute_force(world, holes, {});
     const auto start = std::chrono::steady_clock::now();
     device_ = rtcNewDevice(std::getenv("LUME_EMBREE_CONFIG"));
     if (device_ == nullptr) throw std::runtime_error("Embree cannot start: " + last_error());
@@ -63,8 +66,9 @@ class Embree final : public Accelerator {
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     if (context.nearest) query.ray.tfar = nearest_tfar(context);
     rtcIntersect1(scene_, &context.embree, &query);
-    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return context.nearest;
-    return Hit{query.hit.instID[0], query.hit.geomID, query.hit.primID};
+    if (context.doubt_t < context.nearest_t) return referee_->closest_hit(ray);
+    if (!native_hits_ || query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return context.nearest;
+    return context.identity(query.hit);
   }
 
   bool any_hit(const Ray& ray) const override {
@@ -76,7 +80,44 @@ class Embree final : public Accelerator {
     if (is_empty_) return false;
     RTCRay query = to_embree(ray);
     rtcOccluded1(scene_, &context.embree, &query);
-    return query.tfar < 0.0f;  // Embree's sign for "occluded"
+    if (query.tfar < 0.0f) return true;  // Embree's sign for "occluded"
+    return std::isfinite(context.doubt_t) && referee_->any_hit(ray);
+  }
+
+  void closest_hits(std::span<const Ray> rays, std::span<std::optional<Hit>> hits) const override {
+    if (!takes_packets_) return Accelerator::closest_hits(rays, hits);
+    for (std::size_t first = 0; first < rays.size(); first += k_packet) {
+      const std::size_t count = std::min(k_packet, rays.size() - first);
+      EmbreeQuery context = make_coherent_context();
+      RTCRayHit16 packet{};
+      alignas(64) int valid[k_packet];
+      fill(rays.subspan(first, count), packet.ray, valid);
+      std::fill_n(packet.hit.geomID, k_packet, RTC_INVALID_GEOMETRY_ID);
+      rtcIntersect16(valid, scene_, &context.embree, &packet);
+      for (std::size_t i = 0; i < count; ++i) {
+        RTCHit hit{};
+        hit.instID[0] = packet.hit.instID[0][i];
+        hit.geomID = packet.hit.geomID[i];
+        hit.primID = packet.hit.primID[i];
+        const bool is_hit = hit.geomID != RTC_INVALID_GEOMETRY_ID;
+        hits[first + i] = is_hit ? std::optional(context.identity(hit)) : std::nullopt;
+      }
+    }
+  }
+
+  void any_hits(std::span<const Ray> rays, std::span<std::uint8_t> occluded) const override {
+    if (!takes_packets_) return Accelerator::any_hits(rays, occluded);
+    for (std::size_t first = 0; first < rays.size(); first += k_packet) {
+      const std::size_t count = std::min(k_packet, rays.size() - first);
+      EmbreeQuery context = make_coherent_context();
+      RTCRay16 packet{};
+      alignas(64) int valid[k_packet];
+      fill(rays.subspan(first, count), packet, valid);
+      rtcOccluded16(valid, scene_, &context.embree, &packet);
+      for (std::size_t i = 0; i < count; ++i) {
+        occluded[first + i] = valid[i] != 0 && packet.tfar[i] < 0.0f ? 1 : 0;
+      }
+    }
   }
 
   AcceleratorStats stats() const override {
@@ -87,10 +128,42 @@ class Embree final : public Accelerator {
   }
 
  private:
+  static constexpr std::size_t k_packet = 16;
+
   [[nodiscard]] EmbreeQuery make_context(const Ray& ray) const {
-    EmbreeQuery context{.embree = {}, .ray = &ray, .world = &world_, .holes = holes_};
+    EmbreeQuery context;
+    context.ray = &ray;
+    context.world = &world_;
+    context.holes = holes_;
+    context.merged = &merged_;
     rtcInitIntersectContext(&context.embree);
     return context;
+  }
+
+  /// For packets, which none of our functions is called for.
+  [[nodiscard]] EmbreeQuery make_coherent_context() const {
+    EmbreeQuery context;
+    context.merged = &merged_;
+    rtcInitIntersectContext(&context.embree);
+    context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    return context;
+  }
+
+  static void fill(std::span<const Ray> rays, RTCRay16& packet, int (&valid)[k_packet]) {
+    std::fill_n(valid, k_packet, 0);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      const RTCRay ray = to_embree(rays[i]);
+      packet.org_x[i] = ray.org_x;
+      packet.org_y[i] = ray.org_y;
+      packet.org_z[i] = ray.org_z;
+      packet.tnear[i] = ray.tnear;
+      packet.dir_x[i] = ray.dir_x;
+      packet.dir_y[i] = ray.dir_y;
+      packet.dir_z[i] = ray.dir_z;
+      packet.tfar[i] = ray.tfar;
+      packet.mask[i] = ray.mask;
+      valid[i] = is_traceable(rays[i]) ? -1 : 0;
+    }
   }
 
   [[nodiscard]] RTCScene new_scene() const {
@@ -103,22 +176,47 @@ class Embree final : public Accelerator {
 
   void build() {
     scene_ = new_scene();
-    for (const Object& object : world_.objects) build_object(object);
+    const std::vector<bool> is_merged = merge_unmoved();
+    for (std::size_t i = 0; i < world_.objects.size(); ++i) {
+      object_scenes_.push_back(is_merged[i] ? nullptr : build_object(world_.objects[i]));
+    }
     for (std::uint32_t i = 0; i < world_.instances.size(); ++i) place(i);
     ask_few_first();
+    takes_packets_ = native_hits_ && !has_filters_ && placed_.empty() && asked_first_.empty();
     attach_shapes();
     commit(scene_);
   }
 
+  /// Meshes that need no instance become part of the scene itself. Says of which objects.
+  std::vector<bool> merge_unmoved() {
+    std::vector<bool> is_merged(world_.objects.size());
+    // Instances have the numbers that they have in the world; all shapes together are the next.
+    merged_.first_id = static_cast<unsigned>(world_.instances.size()) + 1;
+    for (const std::uint32_t i : unmoved_instances(world_)) {
+      const std::uint32_t object = world_.instances[i].object;
+      is_merged[object] = true;
+      const std::vector<Geometry>& geometries = world_.objects[object].geometries;
+      for (std::uint32_t g = 0; g < geometries.size(); ++g) {
+        if (geometries[g].mesh() == nullptr) continue;
+        const auto id = merged_.first_id + static_cast<unsigned>(merged_.meshes.size());
+        merged_.meshes.emplace_back(i, g);
+        attach_mesh(scene_, geometries[g], id);
+        is_empty_ = false;
+      }
+    }
+    return is_merged;
+  }
+
   /// The hierarchy over an object's triangles, if it has any.
-  void build_object(const Object& object) {
-    RTCScene& scene = object_scenes_.emplace_back(nullptr);
+  [[nodiscard]] RTCScene build_object(const Object& object) {
+    RTCScene scene = nullptr;
     for (std::uint32_t i = 0; i < object.geometries.size(); ++i) {
       if (object.geometries[i].mesh() == nullptr) continue;
       if (scene == nullptr) scene = new_scene();
       attach_mesh(scene, object.geometries[i], i);
     }
     if (scene != nullptr) commit(scene);
+    return scene;
   }
 
   /// False for what Embree would silently leave out.
@@ -168,18 +266,22 @@ class Embree final : public Accelerator {
     rtcSetGeometryIntersectFunction(geometry, intersect_shape);
     rtcSetGeometryOccludedFunction(geometry, occlude_shape);
     rtcCommitGeometry(geometry);
-    // Instances have the numbers that they have in the world, so the shapes come behind them.
     rtcAttachGeometryByID(scene_, geometry, static_cast<unsigned>(world_.instances.size()));
     rtcReleaseGeometry(geometry);
   }
 
-  void attach_mesh(RTCScene scene, const Geometry& source, std::uint32_t id) const {
+  void attach_mesh(RTCScene scene, const Geometry& source, std::uint32_t id) {
     const Mesh& mesh = *source.mesh();
     RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
     // Embree's own buffers and not ours, since it reads 16 bytes at the last vertex.
     copy_buffer(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, mesh.positions);
     copy_buffer(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, mesh.triangles);
-    if (source.has_holes && holes_ != nullptr) {
+    if (!native_hits_) {
+      rtcSetGeometryIntersectFilterFunction(geometry, take_if_exact);
+      rtcSetGeometryOccludedFilterFunction(geometry, stop_if_exact);
+      has_filters_ = true;
+    } else if (source.has_holes && holes_ != nullptr) {
+      has_filters_ = true;
       rtcSetGeometryIntersectFilterFunction(geometry, reject_holes);
       rtcSetGeometryOccludedFilterFunction(geometry, reject_holes);
     }
@@ -240,9 +342,14 @@ class Embree final : public Accelerator {
   const World& world_;
   const HoleTest* holes_;
   Quality quality_;
+  bool native_hits_;
+  std::unique_ptr<Accelerator> referee_;  ///< for the few rays that Embree cannot decide on
   RTCDevice device_ = nullptr;
   RTCScene scene_ = nullptr;
-  std::vector<RTCScene> object_scenes_;  ///< by object; null if it has no triangles
+  std::vector<RTCScene> object_scenes_;  ///< by object; null if it has no triangles, or is merged
+  MergedMeshes merged_;
+  bool has_filters_ = false;
+  bool takes_packets_ = false;  ///< nothing calls back, where only single rays are understood
   PlacedShapes placed_;
   PlacedShapes asked_first_;  ///< shapes that no hierarchy can hold, or that need none
   bool is_empty_ = true;      ///< the hierarchy, which then is not asked
@@ -253,13 +360,13 @@ class Embree final : public Accelerator {
 }  // namespace
 
 std::unique_ptr<Accelerator> make_embree(const World& world, const HoleTest* holes,
-                                         const AcceleratorOptions& /*options*/) {
-  return std::make_unique<Embree>(world, holes, Quality::robust);
+                                         const AcceleratorOptions& options) {
+  return std::make_unique<Embree>(world, holes, Quality::robust, options.native_hits);
 }
 
 std::unique_ptr<Accelerator> make_embree_high(const World& world, const HoleTest* holes,
-                                              const AcceleratorOptions& /*options*/) {
-  return std::make_unique<Embree>(world, holes, Quality::high);
+                                              const AcceleratorOptions& options) {
+  return std::make_unique<Embree>(world, holes, Quality::high, options.native_hits);
 }
 
 std::string embree_version() {

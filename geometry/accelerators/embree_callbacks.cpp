@@ -17,15 +17,58 @@ const PlacedShape& placed_shape(const void* user_pointer, unsigned index) {
   return (*static_cast<const PlacedShapes*>(user_pointer))[index];
 }
 
+/// Where the query's ray meets a triangle that is no hole there; raises a doubt where only a float
+/// lets it.
+std::optional<double> exact_crossing(EmbreeQuery& query, const Hit& hit) {
+  const World& world = *query.world;
+  const ObjectRay ray = to_object(world.transform(hit), *query.ray);
+  const auto corners = world.geometry(hit).mesh()->corners(hit.primitive);
+  const TriangleCrossing crossing = nearest_on_triangle(
+      ray.origin, ray.direction, DVec3(corners[0]), DVec3(corners[1]), DVec3(corners[2]));
+  if (!ray.contains(crossing.t)) return std::nullopt;
+  if (!crossing.inside) {
+    query.doubt_t = std::min(query.doubt_t, crossing.t);
+    return std::nullopt;
+  }
+  const Vec2 uv(static_cast<float>(crossing.u), static_cast<float>(crossing.v));
+  const bool may_be_hole = query.holes != nullptr && world.geometry(hit).has_holes;
+  if (may_be_hole && query.holes->is_hole(hit, uv)) return std::nullopt;
+  return crossing.t;
+}
+
 }  // namespace
 
 void reject_holes(const RTCFilterFunctionNArguments* args) {
   const EmbreeQuery& query = query_of(args->context);
-  const auto& candidate = *reinterpret_cast<const RTCHit*>(args->hit);  // N is 1: single rays only
-  const Hit hit{candidate.instID[0], candidate.geomID, candidate.primID};
+  const Hit hit = query.identity(*reinterpret_cast<const RTCHit*>(args->hit));
   const Crossing crossing = refine(*query.world, *query.ray, hit, nullptr);
   const Vec2 uv(static_cast<float>(crossing.u), static_cast<float>(crossing.v));
   if (query.holes->is_hole(hit, uv)) args->valid[0] = 0;
+}
+
+void take_if_exact(const RTCFilterFunctionNArguments* args) {
+  EmbreeQuery& query = query_of(args->context);
+  auto& ray = *reinterpret_cast<RTCRay*>(args->ray);
+  const Hit hit = query.identity(*reinterpret_cast<const RTCHit*>(args->hit));
+  const auto t = exact_crossing(query, hit);
+  const bool is_nearest =
+      t &&
+      (*t < query.nearest_t || (*t == query.nearest_t && (!query.nearest || hit < *query.nearest)));
+  if (!is_nearest) {
+    args->valid[0] = 0;
+    return;
+  }
+  query.nearest = hit;
+  query.nearest_t = *t;
+  // Embree's own distance is rounded: one that is a little nearer may seem to be farther.
+  constexpr float k_rounding = 1e-4f;
+  ray.tfar = std::min(query.ray->t_max, nearest_tfar(query) * (1.0f + k_rounding));
+}
+
+void stop_if_exact(const RTCFilterFunctionNArguments* args) {
+  EmbreeQuery& query = query_of(args->context);
+  const Hit hit = query.identity(*reinterpret_cast<const RTCHit*>(args->hit));
+  if (!exact_crossing(query, hit)) args->valid[0] = 0;
 }
 
 void bound_shape(const RTCBoundsFunctionArguments* args) {

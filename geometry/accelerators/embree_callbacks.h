@@ -11,9 +11,16 @@
 
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace lume::geometry {
+
+/// Meshes of instances that stand unmoved are attached to the scene itself, by consecutive numbers.
+struct MergedMeshes {
+  unsigned first_id = 0;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> meshes;  ///< instance and geometry
+};
 
 /// One query. Embree hands this back to the functions below: the first member is what it knows, the
 /// rest is ours.
@@ -22,10 +29,22 @@ struct EmbreeQuery {
   const Ray* ray = nullptr;  ///< in the scene's frame; Embree's own copy is in object space by then
   const World* world = nullptr;
   const HoleTest* holes = nullptr;
-  /// The nearest shape so far. Embree keeps distances as floats, and two shapes may be nearer to
-  /// each other than those can tell.
+  const MergedMeshes* merged = nullptr;
+  /// The nearest so far of what was decided in double: shapes, and triangles unless Embree decides
+  /// on those by itself. It keeps distances as floats, and two surfaces may be nearer to each other
+  /// than those can tell.
   std::optional<Hit> nearest = std::nullopt;
   double nearest_t = std::numeric_limits<double>::infinity();
+  /// Where the first triangle was that only a float's rounding lets the ray meet. If nothing else
+  /// is met there, the ray may have slipped past the edge of its neighbour.
+  double doubt_t = std::numeric_limits<double>::infinity();
+
+  /// The identity that Embree's numbers stand for.
+  [[nodiscard]] Hit identity(const RTCHit& hit) const {
+    if (hit.instID[0] != RTC_INVALID_GEOMETRY_ID) return {hit.instID[0], hit.geomID, hit.primID};
+    const auto& [instance, geometry] = merged->meshes[hit.geomID - merged->first_id];
+    return {instance, geometry, hit.primID};
+  }
 };
 
 /// A shape where an instance has it.
@@ -38,9 +57,15 @@ struct PlacedShape {
 /// What Embree's user primitives stand for, by primID. Their geometry's user pointer points here.
 using PlacedShapes = std::vector<PlacedShape>;
 
-/// The filter of meshes with holes, for closest and any hits alike. The barycentric coordinates are
-/// refined first, so that the rim of a hole is the same under every accelerator.
+// The filters of meshes, which see every triangle that Embree finds; for single rays only.
+
+/// Lets Embree decide on all but holes, for closest and any hits alike. The barycentric coordinates
+/// are refined first, so that the rim of a hole is the same under every accelerator.
 void reject_holes(const RTCFilterFunctionNArguments* args);
+/// Decides in double, as every other accelerator does, whether the triangle is met and is nearest.
+void take_if_exact(const RTCFilterFunctionNArguments* args);
+/// The same for any hit.
+void stop_if_exact(const RTCFilterFunctionNArguments* args);
 
 // The functions of the user geometry.
 void bound_shape(const RTCBoundsFunctionArguments* args);

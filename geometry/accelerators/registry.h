@@ -27,6 +27,7 @@ MakeAccelerator make_obb_tree;
 MakeAccelerator make_grid;
 MakeAccelerator make_octree;
 MakeAccelerator make_kd_tree;
+MakeAccelerator make_zbuffer;
 MakeAccelerator make_brute_force;
 
 struct AcceleratorEntry {
@@ -50,6 +51,7 @@ inline constexpr std::array k_registry = {
     AcceleratorEntry{"grid", make_grid},
     AcceleratorEntry{"octree", make_octree},
     AcceleratorEntry{"kd-tree", make_kd_tree},
+    AcceleratorEntry{"zbuffer", make_zbuffer},
     AcceleratorEntry{"brute-force", make_brute_force},
 };
 

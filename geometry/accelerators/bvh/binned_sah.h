@@ -35,8 +35,8 @@ class CentroidBins {
 
 /// A way to part items in two by a plane between bins.
 struct BinSplit {
-  /// Each side's half area times its number of items: what is added to the cost of the parent's own
-  /// test, times the half area of the root. Infinite: there is no such plane.
+  /// Each side's half area times its number of items: their part of the expected cost, but for the
+  /// root's half area, by which all costs would be divided. Infinite: there is no such plane.
   double cost = std::numeric_limits<double>::infinity();
   int axis = 0;
   int bin = 0;         ///< the first of the second side

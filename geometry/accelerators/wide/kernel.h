@@ -57,10 +57,11 @@ struct BoxRay {
   /// A mask of the children whose boxes the ray meets, and where it enters each.
   [[gnu::always_inline]] unsigned enter(const Node& node, float (&entries)[k_width]) const {
     const auto near = [&](unsigned axis) {
-      return Simd::fma(node.planes[near_row[axis]], inverse[axis], near_offset[axis]);
+      return Simd::fma(Simd::load(node.planes[near_row[axis]]), inverse[axis], near_offset[axis]);
     };
     const auto far = [&](unsigned axis) {
-      return Simd::fma(node.planes[near_row[axis] ^ 1u], inverse[axis], far_offset[axis]);
+      return Simd::fma(Simd::load(node.planes[near_row[axis] ^ 1u]), inverse[axis],
+                       far_offset[axis]);
     };
     const Float8 first = Simd::max(Simd::max(near(0), near(1)), Simd::max(near(2), t_min));
     const Float8 second = Simd::min(Simd::min(far(0), far(1)), Simd::min(far(2), t_max));
@@ -88,6 +89,7 @@ struct ShearRay {
   double shear_y;
   double length_z;
 
+  ShearRay() = default;
   [[gnu::always_inline]] explicit ShearRay(const TreeRay& ray)
       : origin{ray.origin[0], ray.origin[1], ray.origin[2]} {
     const double* d = ray.direction;

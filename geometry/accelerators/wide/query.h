@@ -45,12 +45,17 @@ struct SceneQuery {
   TraversalCost* cost = nullptr;
 };
 
+inline constexpr unsigned k_packet_size = 16;
+
 /// The traversals, for one instruction set.
 struct Kernel {
   const char* name;
   void (*closest)(const Tree& tree, TriangleQuery& query);
   bool (*any)(const Tree& tree, TriangleQuery& query);
   bool (*scene)(const Tree& tree, SceneQuery& query);
+  /// For up to k_packet_size queries without holes or cost; a mask of those that meet anything.
+  void (*closest_of_packet)(const Tree& tree, TriangleQuery* queries, unsigned count);
+  unsigned (*any_of_packet)(const Tree& tree, TriangleQuery* queries, unsigned count);
 };
 
 extern const Kernel k_scalar_kernel;

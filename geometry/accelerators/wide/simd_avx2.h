@@ -15,6 +15,7 @@ struct Avx2 {
   [[gnu::always_inline]] static Double4 widen(const float* x) {
     return _mm256_cvtps_pd(_mm_load_ps(x));
   }
+  [[gnu::always_inline]] static Double4 load(const double* x) { return _mm256_load_pd(x); }
   [[gnu::always_inline]] static void store(double* to, Double4 x) { _mm256_store_pd(to, x); }
   [[gnu::always_inline]] static Double4 add(Double4 a, Double4 b) { return _mm256_add_pd(a, b); }
   [[gnu::always_inline]] static Double4 sub(Double4 a, Double4 b) { return _mm256_sub_pd(a, b); }
@@ -68,8 +69,11 @@ struct Avx2 {
   using Float8 = __m256;
 
   [[gnu::always_inline]] static Float8 fill(float x) { return _mm256_set1_ps(x); }
-  [[gnu::always_inline]] static Float8 fma(const float* a, Float8 b, Float8 c) {
-    return _mm256_fmadd_ps(_mm256_load_ps(a), b, c);
+  [[gnu::always_inline]] static Float8 load(const float* x) { return _mm256_load_ps(x); }
+  [[gnu::always_inline]] static Float8 add(Float8 a, Float8 b) { return _mm256_add_ps(a, b); }
+  [[gnu::always_inline]] static Float8 mul(Float8 a, Float8 b) { return _mm256_mul_ps(a, b); }
+  [[gnu::always_inline]] static Float8 fma(Float8 a, Float8 b, Float8 c) {
+    return _mm256_fmadd_ps(a, b, c);
   }
   [[gnu::always_inline]] static Float8 min(Float8 a, Float8 b) { return _mm256_min_ps(a, b); }
   [[gnu::always_inline]] static Float8 max(Float8 a, Float8 b) { return _mm256_max_ps(a, b); }
@@ -77,6 +81,17 @@ struct Avx2 {
   [[gnu::always_inline]] static unsigned not_above(Float8 a, Float8 b) {
     return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(a, b, _CMP_LE_OQ)));
   }
+
+  /// For packets: as many at once as a register holds.
+  struct ManyFloats;
+  struct ManyDoubles;
+};
+
+struct Avx2::ManyFloats : Avx2 {
+  static constexpr unsigned k_size = 8;
+};
+struct Avx2::ManyDoubles : Avx2 {
+  static constexpr unsigned k_size = 4;
 };
 
 }  // namespace lume::geometry::wide

@@ -26,6 +26,7 @@ struct Scalar {
 
   static Double4 set(double x) { return {x, x, x, x}; }
   static Double4 widen(const float* x) { return {x[0], x[1], x[2], x[3]}; }
+  static Double4 load(const double* x) { return {x[0], x[1], x[2], x[3]}; }
   static void store(double* to, const Double4& x) {
     for (unsigned lane = 0; lane < 4; ++lane) to[lane] = x[lane];
   }
@@ -83,7 +84,14 @@ struct Scalar {
     for (unsigned lane = 0; lane < k_width; ++lane) result[lane] = operation(lane);
     return result;
   }
-  static Float8 fma(const float* a, const Float8& b, const Float8& c) {
+  static Float8 load(const float* x) { return {x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7]}; }
+  static Float8 add(const Float8& a, const Float8& b) {
+    return each_of_8([&](unsigned i) { return a[i] + b[i]; });
+  }
+  static Float8 mul(const Float8& a, const Float8& b) {
+    return each_of_8([&](unsigned i) { return a[i] * b[i]; });
+  }
+  static Float8 fma(const Float8& a, const Float8& b, const Float8& c) {
     return each_of_8([&](unsigned i) { return a[i] * b[i] + c[i]; });
   }
   static Float8 min(const Float8& a, const Float8& b) {
@@ -100,6 +108,16 @@ struct Scalar {
     for (unsigned i = 0; i < k_width; ++i) mask |= a[i] <= b[i] ? 1u << i : 0u;
     return mask;
   }
+
+  struct ManyFloats;
+  struct ManyDoubles;
+};
+
+struct Scalar::ManyFloats : Scalar {
+  static constexpr unsigned k_size = 8;
+};
+struct Scalar::ManyDoubles : Scalar {
+  static constexpr unsigned k_size = 4;
 };
 
 }  // namespace lume::geometry::wide

@@ -9,6 +9,7 @@
 #include "geometry/refine.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <optional>
 #include <vector>
@@ -61,6 +62,7 @@ class Wide final : public Accelerator {
     build_objects(is_merged);
     tree_ = wide::build_tree(*placements_);
     has_placements_ = placements_->size() + placements_->endless().size() > 0;
+    takes_packets_ = holes == nullptr || !merged_->has_holes();
     build_seconds_ =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
@@ -73,6 +75,37 @@ class Wide final : public Accelerator {
   }
   bool any_hit_counted(const Ray& ray, TraversalCost& cost) const override {
     return any(ray, &cost);
+  }
+
+  void closest_hits(std::span<const Ray> rays, std::span<std::optional<Hit>> hits) const override {
+    if (!takes_packets_) return Accelerator::closest_hits(rays, hits);
+    const Candidates candidates{this, &*merged_, std::nullopt};
+    in_packets(rays, [&](std::span<TriangleQuery> queries, std::span<const std::size_t> places) {
+      kernel_.closest_of_packet(merged_->tree(), queries.data(),
+                                static_cast<unsigned>(queries.size()));
+      for (std::size_t i = 0; i < queries.size(); ++i) {
+        const Ray& ray = rays[places[i]];
+        Search search{this, &ray, nullptr};
+        if (queries[i].item != wide::k_no_item) {
+          search.nearest = {candidates.identity(queries[i].item), queries[i].ray.t_max};
+        }
+        if (has_placements_) search_placements(search);
+        hits[places[i]] = search.nearest.hit;
+      }
+    });
+  }
+
+  void any_hits(std::span<const Ray> rays, std::span<std::uint8_t> occluded) const override {
+    if (!takes_packets_) return Accelerator::any_hits(rays, occluded);
+    in_packets(rays, [&](std::span<TriangleQuery> queries, std::span<const std::size_t> places) {
+      const unsigned met = kernel_.any_of_packet(merged_->tree(), queries.data(),
+                                                 static_cast<unsigned>(queries.size()));
+      for (std::size_t i = 0; i < queries.size(); ++i) {
+        const bool is_met = (met >> i & 1u) != 0;
+        occluded[places[i]] =
+            is_met || (has_placements_ && meets_any_placement(rays[places[i]], nullptr));
+      }
+    });
   }
 
   AcceleratorStats stats() const override {
@@ -142,8 +175,28 @@ class Wide final : public Accelerator {
     placements_.emplace(world_, of_triangles);
   }
 
+  /// Calls trace(queries, their rays' numbers) for all rays that can be traced, in packets.
+  template <class Trace>
+  static void in_packets(std::span<const Ray> rays, const Trace& trace) {
+    std::array<TriangleQuery, wide::k_packet_size> queries;
+    std::array<std::size_t, wide::k_packet_size> places{};
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      if (is_asked(rays[i])) {
+        queries[count] = TriangleQuery();
+        queries[count].ray = tree_ray(rays[i]);
+        places[count++] = i;
+      }
+      if (count < queries.size() && i + 1 < rays.size()) continue;
+      if (count > 0) trace({queries.data(), count}, {places.data(), count});
+      count = 0;
+    }
+  }
+
+  static bool is_asked(const Ray& ray) { return is_traceable(ray) && ray.direction != Vec3(0.0f); }
+
   std::optional<Hit> closest(const Ray& ray, TraversalCost* cost) const {
-    if (!is_traceable(ray) || ray.direction == Vec3(0.0f)) return std::nullopt;
+    if (!is_asked(ray)) return std::nullopt;
     Search search{this, &ray, cost};
     take_triangle(tree_ray(ray), {this, &*merged_, std::nullopt}, search);
     if (has_placements_) search_placements(search);
@@ -158,9 +211,12 @@ class Wide final : public Accelerator {
   }
 
   bool any(const Ray& ray, TraversalCost* cost) const {
-    if (!is_traceable(ray) || ray.direction == Vec3(0.0f)) return false;
+    if (!is_asked(ray)) return false;
     if (meets_triangle(tree_ray(ray), {this, &*merged_, std::nullopt}, cost)) return true;
-    if (!has_placements_) return false;
+    return has_placements_ && meets_any_placement(ray, cost);
+  }
+
+  [[nodiscard]] bool meets_any_placement(const Ray& ray, TraversalCost* cost) const {
     Search search{this, &ray, cost};
     SceneQuery query = scene_query<&Wide::meets_placement>(search);
     for (const Placement& placement : placements_->endless()) {
@@ -267,6 +323,7 @@ class Wide final : public Accelerator {
   std::optional<PlacementItems> placements_;
   wide::Tree tree_;
   bool has_placements_ = false;
+  bool takes_packets_ = false;  ///< of what is merged; holes are asked ray by ray
   double build_seconds_ = 0.0;
 };
 

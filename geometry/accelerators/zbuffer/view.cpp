@@ -10,27 +10,41 @@ View::View(const Camera& camera, int width, int height)
       position_(camera.position),
       forward_(-camera.backward),
       eye_(camera.position),
-      columns_(width + 2 * k_border),
-      rows_(height + 2 * k_border) {
+      size_(width + 2 * k_border, height + 2 * k_border),
+      cells_per_unit_(0.5 * height) {
   // What floats leave of an orthonormal frame is inverted, not transposed: all points of a ray must
   // come to the same place.
-  const DMat3 to_frame =
-      glm::inverse(DMat3(DVec3(camera.right), DVec3(camera.up), DVec3(forward_)));
-  const double half = is_perspective_ ? std::tan(0.5 * static_cast<double>(camera.vertical_fov))
-                                      : static_cast<double>(camera.half_height);
-  const double cells = 0.5 * height / half;  // a pixel is as wide as it is high
-  const DVec3 middle(0.5 * columns_, 0.5 * rows_, 0.0);
-  DMat3 to_raster(1.0);
-  to_raster[0] = {cells, 0.0, 0.0};
-  to_raster[1] = {0.0, -cells, 0.0};
+  to_image_ = glm::inverse(DMat3(DVec3(camera.right), DVec3(camera.up), DVec3(forward_)));
+  DVec3 scale(1.0);
   if (is_perspective_) {
-    to_raster[2] = {middle.x, middle.y, 1.0};
+    const double per_unit = 1.0 / std::tan(0.5 * static_cast<double>(camera.vertical_fov));
+    scale = {per_unit, -per_unit, 1.0};
   } else {
-    offset_ = middle;
-    constexpr double k_float_rounding = 1e-5;  // of what generate_ray adds up, and more than enough
-    start_depth_ = k_float_rounding * (length(eye_) + half * (2.0 + static_cast<double>(width) / height));
+    const double per_unit = 1.0 / static_cast<double>(camera.half_height);
+    scale = {per_unit, -per_unit, per_unit};
+    const double aspect = static_cast<double>(width) / height;
+    constexpr double k_rounding = 1e-5;  // of what generate_ray adds up; more than enough
+    start_depth_ = k_rounding * (length(eye_) * per_unit + 2.0 + aspect);
   }
-  to_cells_ = to_raster * to_frame;
+  for (int column = 0; column < 3; ++column) to_image_[column] *= scale;
+}
+
+Rect View::rect(const CellRange& cells) const {
+  const glm::dvec2 middle = 0.5 * glm::dvec2(size_);
+  constexpr double k_wider = 1e-6;  // of a cell; far more than is rounded in find()
+  return {(glm::dvec2(cells.first) - k_wider - middle) / cells_per_unit_,
+          (glm::dvec2(cells.last) + k_wider - middle) / cells_per_unit_};
+}
+
+CellRange View::touched_by(const Rect& rect) const {
+  const glm::dvec2 middle = 0.5 * glm::dvec2(size_);
+  constexpr double k_wider = 0.01;
+  // Cut to the picture while they are doubles, which have room for every place.
+  const glm::dvec2 lower = rect.lower * cells_per_unit_ + middle - k_wider;
+  const glm::dvec2 upper = rect.upper * cells_per_unit_ + middle + k_wider;
+  const glm::dvec2 end(size_);
+  return {glm::ivec2(glm::clamp(glm::floor(lower), glm::dvec2(0.0), end)),
+          glm::ivec2(glm::clamp(glm::floor(upper) + 1.0, glm::dvec2(0.0), end))};
 }
 
 bool View::is_ours(const Ray& ray) const {
@@ -43,20 +57,20 @@ std::optional<ViewRay> View::find(const Ray& ray) const {
   ViewRay result;
   DVec3 place(0.0);
   if (is_perspective_) {
-    place = to_cells_ * DVec3(ray.direction);
+    place = to_image_ * DVec3(ray.direction);
     if (!(place.z > 0.0)) return std::nullopt;
     result.depth_per_t = place.z;
     place /= place.z;
   } else {
-    place = to_cells_ * (DVec3(ray.origin) - eye_) + offset_;
+    place = to_image_ * (DVec3(ray.origin) - eye_);
     if (!(std::abs(place.z) <= start_depth_)) return std::nullopt;
-    result.depth_at_start = place.z;
+    result.start_depth = place.z;
+    result.depth_per_t = (to_image_ * DVec3(ray.direction)).z;
   }
-  if (!(place.x >= 0.0 && place.x < columns_ && place.y >= 0.0 && place.y < rows_)) {
-    return std::nullopt;
-  }
-  result.column = static_cast<int>(place.x);
-  result.row = static_cast<int>(place.y);
+  const glm::dvec2 cell = glm::dvec2(place) * cells_per_unit_ + 0.5 * glm::dvec2(size_);
+  const bool is_inside = cell.x >= 0.0 && cell.x < size_.x && cell.y >= 0.0 && cell.y < size_.y;
+  if (!is_inside) return std::nullopt;
+  result.cell = glm::ivec2(cell);
   return result;
 }
 

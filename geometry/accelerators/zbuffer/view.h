@@ -11,17 +11,22 @@
 
 namespace lume::geometry::zbuffer {
 
-/// A rectangle of the picture, in cells.
+/// A rectangle of the picture: from its middle to the right and down, in halves of its height.
 using Rect = BoundsOf<glm::dvec2>;
+
+/// The cells from `first` up to, but not with, `last`; as (column, row).
+struct CellRange {
+  glm::ivec2 first{0};
+  glm::ivec2 last{0};
+};
 
 /// Where a ray runs in the picture.
 struct ViewRay {
-  int column = 0;
-  int row = 0;
-  double depth_at_start = 0.0;
+  glm::ivec2 cell{0};
+  double start_depth = 0.0;
   double depth_per_t = 1.0;
 
-  [[nodiscard]] double depth(double t) const { return depth_at_start + t * depth_per_t; }
+  [[nodiscard]] double depth(double t) const { return start_depth + t * depth_per_t; }
 };
 
 class View {
@@ -29,23 +34,25 @@ class View {
   /// Filters take samples from beyond the picture's edge, but hardly from farther away.
   static constexpr int k_border = 4;
 
-  /// The camera is a pinhole one; width and height are above 0.
+  /// The camera is a pinhole one; width and height (pixels) are above 0.
   View(const Camera& camera, int width, int height);
 
-  /// Cells, the border included. Column 0 is on the left, row 0 at the top.
-  [[nodiscard]] int columns() const { return columns_; }
-  [[nodiscard]] int rows() const { return rows_; }
-  [[nodiscard]] Rect all() const { return {glm::dvec2(0.0), glm::dvec2(columns_, rows_)}; }
+  /// Columns and rows, the border included. Column 0 is on the left, row 0 at the top.
+  [[nodiscard]] const glm::ivec2& size() const { return size_; }
+  /// Around cells, and all rays that find() says go through them.
+  [[nodiscard]] Rect rect(const CellRange& cells) const;
+  /// The cells that touch a rectangle.
+  [[nodiscard]] CellRange touched_by(const Rect& rect) const;
 
   [[nodiscard]] bool is_perspective() const { return is_perspective_; }
   [[nodiscard]] const DVec3& eye() const { return eye_; }
 
-  /// Of a way from the eye, in cells and metres: (x, y, depth) by an orthographic camera, by a
-  /// perspective one (x depth, y depth, depth), so that it is a linear map for both but for offset().
-  [[nodiscard]] const DMat3& to_cells() const { return to_cells_; }
-  [[nodiscard]] const DVec3& offset() const { return offset_; }
+  /// Of a way from the eye: (x, y, depth) by an orthographic camera, all three in halves of the
+  /// picture's height, and (x depth, y depth, depth) by a perspective one, the depth in metres. So
+  /// it is a linear map for both.
+  [[nodiscard]] const DMat3& to_image() const { return to_image_; }
 
-  /// Rays begin at depths between -start_depth() and start_depth(), because floats are rounded.
+  /// Rays begin between this depth and its negative, because floats are rounded.
   [[nodiscard]] double start_depth() const { return start_depth_; }
 
   /// Of a ray that the camera may have sent; none if it is any other one, or beyond the border.
@@ -58,10 +65,9 @@ class View {
   Vec3 position_;
   Vec3 forward_;
   DVec3 eye_;
-  int columns_;
-  int rows_;
-  DMat3 to_cells_{1.0};
-  DVec3 offset_{0.0};
+  glm::ivec2 size_;
+  double cells_per_unit_;
+  DMat3 to_image_{1.0};
   double start_depth_ = 0.0;
 };
 

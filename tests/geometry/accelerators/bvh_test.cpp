@@ -169,9 +169,9 @@ TEST(Bvh, HardMeshes_MeetWhatBruteForceMeets) {
       ray.origin += hard.middle;
       return ray;
     };
-    const int hits = expect_all_agree(world, nullptr, 2000, random_ray);
-    EXPECT_GE(hits, hard.least_hits) << hard.name;
-    expect_all_agree(world, nullptr, 1000, axis_ray);
+    const int hits = expect_all_agree(world, nullptr, test::cases(2000), random_ray);
+    EXPECT_GE(hits, test::cases(hard.least_hits)) << hard.name;
+    expect_all_agree(world, nullptr, test::cases(1000), axis_ray);
     if (HasFailure()) FAIL() << hard.name;
   }
 }

@@ -137,6 +137,64 @@ TEST(WideKernels, RaysAtEdgesAndCornersOfAClosedMesh_NeverSlipThrough) {
   }
 }
 
+/// Packets of rays from one place, of which some run in other octants, some are not there, and some
+/// end early: each ray has the answer that it has alone.
+TEST(WideKernels, PacketsOfRays_MeetWhatEachMeetsAlone) {
+  Random random(8);
+  const Object object = object_of(test::triangle_soup(random, 3000, 4.0f, 0.4f));
+  const Tree tree = wide::build_tree(TriangleItems(object));
+  int hits = 0;
+  for (int i = 0; i < test::cases(3000); ++i) {
+    const Vec3 eye = random.cube(8.0f);
+    const Vec3 aim = random.cube(3.0f);
+    const float spread = i % 4 == 0 ? 5.0f : 0.3f;
+    std::vector<Ray> rays(1 + random.below(wide::k_packet_size));
+    for (Ray& ray : rays) {
+      ray.origin = eye;
+      ray.direction = aim + random.cube(spread) - eye;
+      if (random.below(4) == 0) ray.t_max = random.uniform(0.2f, 1.2f);
+    }
+    const auto count = static_cast<unsigned>(rays.size());
+    for (const Kernel* kernel : kernels()) {
+      std::vector<wide::TriangleQuery> closest;
+      for (const Ray& ray : rays) closest.push_back(query_of(ray));
+      std::vector<wide::TriangleQuery> any = closest;
+      kernel->closest_of_packet(tree, closest.data(), count);
+      const unsigned met = kernel->any_of_packet(tree, any.data(), count);
+      for (unsigned k = 0; k < count; ++k) {
+        wide::TriangleQuery alone = query_of(rays[k]);
+        kernel->closest(tree, alone);
+        hits += alone.item != wide::k_no_item ? 1 : 0;
+        ASSERT_EQ(closest[k].item, alone.item) << kernel->name << ", packet " << i;
+        ASSERT_EQ(closest[k].ray.t_max, alone.ray.t_max) << kernel->name << ", packet " << i;
+        ASSERT_EQ((met >> k & 1u) != 0, alone.item != wide::k_no_item) << kernel->name;
+      }
+    }
+  }
+  EXPECT_GT(hits, test::cases(10000));
+}
+
+TEST(Wide, BatchesOfRays_AreAnsweredAsOneByOne) {
+  Random random(9);
+  const World world = test::mixed_world(random);
+  for (const std::string_view name : {"wide", "embree", "embree-high", "bvh-sah"}) {
+    for (const bool native : {false, true}) {
+      const auto accelerator = make_accelerator(name, world, nullptr, {native});
+      std::vector<Ray> rays(100);
+      for (Ray& ray : rays) ray = test::random_ray(random);
+      rays[7].origin.x = std::numeric_limits<float>::quiet_NaN();
+      std::vector<std::optional<Hit>> hits(rays.size());
+      std::vector<std::uint8_t> occluded(rays.size());
+      accelerator->closest_hits(rays, hits);
+      accelerator->any_hits(rays, occluded);
+      for (std::size_t i = 0; i < rays.size(); ++i) {
+        ASSERT_EQ(hits[i], accelerator->closest_hit(rays[i])) << name;
+        ASSERT_EQ(occluded[i] != 0, accelerator->any_hit(rays[i])) << name;
+      }
+    }
+  }
+}
+
 TEST(Wide, WorldsOfEveryKind_AgreeWithBruteForce) {
   Random random(4);
   int hits = 0;
