@@ -27,8 +27,10 @@ constexpr Names k_transmitted = {"transmitted.R", "transmitted.G", "transmitted.
 constexpr Names k_shadow = {"shadow.R", "shadow.G", "shadow.B"};
 constexpr std::array<std::string_view, 1> k_recursion_depth = {"recursion_depth.V"};
 constexpr std::array<std::string_view, 1> k_ray_count = {"ray_count.V"};
+constexpr std::array<std::string_view, 1> k_nodes = {"nodes.V"};
+constexpr std::array<std::string_view, 1> k_primitive_tests = {"primitive_tests.V"};
 
-constexpr std::array<AovInfo, 16> k_infos = {{
+constexpr std::array<AovInfo, 18> k_infos = {{
     {Aov::depth, "depth", k_depth, AovSource::center, "distance along the viewing axis in metres"},
     {Aov::position, "position", k_position, AovSource::center, "world position in metres"},
     {Aov::normal, "normal", k_normal, AovSource::surface,
@@ -57,6 +59,10 @@ constexpr std::array<AovInfo, 16> k_infos = {{
      "the most reflections and refractions in a row, mean of the samples"},
     {Aov::ray_count, "ray_count", k_ray_count, AovSource::light,
      "rays of all kinds a sample, mean of the samples"},
+    {Aov::nodes, "nodes", k_nodes, AovSource::surface,
+     "nodes that the accelerator entered for the camera ray, mean of the samples"},
+    {Aov::primitive_tests, "primitive_tests", k_primitive_tests, AovSource::surface,
+     "primitives that it tested for the camera ray, mean of the samples"},
 }};
 
 const AovInfo& info(Aov aov) { return k_infos[static_cast<std::size_t>(aov)]; }
@@ -91,7 +97,7 @@ void write_aov(Aov aov, const PreparedScene& prepared, const geometry::Camera& c
       *out = static_cast<float>(point.geometry->material + 1);
       break;
     default:
-      break;  // of the light
+      break;  // of the light or the cost
   }
 }
 
@@ -123,6 +129,16 @@ void write_light_aov(Aov aov, const PixelLight& light, float* out) {
   }
 }
 
+/// What the first query for the ray costs, if it is asked for.
+geometry::TraversalCost cost_of(std::span<const Aov> aovs, const PreparedScene& prepared,
+                                const geometry::Ray& ray) {
+  geometry::TraversalCost cost;
+  if (std::any_of(aovs.begin(), aovs.end(), is_of_cost)) {
+    (void)prepared.accelerator().closest_hit_counted(ray, cost);
+  }
+  return cost;
+}
+
 }  // namespace
 
 std::span<const AovInfo> aov_infos() { return k_infos; }
@@ -137,9 +153,12 @@ void evaluate_aovs(std::span<const Aov> aovs, const PreparedScene& prepared,
                    const geometry::Camera& camera, const geometry::Ray& ray, std::span<float> out) {
   std::fill(out.begin(), out.end(), 0.0f);
   const auto point = prepared.first_surface(ray);
+  const geometry::TraversalCost cost = cost_of(aovs, prepared, ray);
   float* next = out.data();
   for (const Aov aov : aovs) {
-    if (point) {
+    if (is_of_cost(aov)) {
+      *next = static_cast<float>(aov == Aov::nodes ? cost.nodes : cost.primitive_tests);
+    } else if (point) {
       write_aov(aov, prepared, camera, *point, -ray.direction, next);
     } else if (aov == Aov::depth) {
       *next = k_no_depth;

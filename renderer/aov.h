@@ -30,13 +30,16 @@ enum class Aov {
   transmitted,
   shadow,
   recursion_depth,
-  ray_count
+  ray_count,
+  nodes,
+  primitive_tests
 };
 
 /// Where the values of an AOV come from.
 enum class AovSource {
   center,   ///< the surface in the pixel's centre, once, because a mean of it means nothing
-  surface,  ///< the surfaces of the pixel's samples, averaged like the colour
+  surface,  ///< the surfaces of the pixel's samples, and what it took to find them, averaged like
+            ///< the colour
   light     ///< what the integrator brought back, averaged like the colour
 };
 
@@ -50,12 +53,17 @@ struct AovInfo {
 
 /// All AOVs, in the order of the enumeration.
 [[nodiscard]] std::span<const AovInfo> aov_infos();
+/// True for those that only an accelerator which counts_cost() can tell; 0 with others.
+[[nodiscard]] constexpr bool is_of_cost(Aov aov) {
+  return aov == Aov::nodes || aov == Aov::primitive_tests;
+}
 
 /// How many channels the AOVs have together.
 [[nodiscard]] std::size_t channel_count(std::span<const Aov> aovs);
 
 /// Writes the channels of all `aovs`, none of them of the light, one after the other, for the
-/// surface that `ray` shows first; 0 where it shows none, but k_no_depth for depth.
+/// surface that `ray` shows first; 0 where it shows none, but k_no_depth for depth, and what the
+/// accelerator looked at for those of the cost.
 void evaluate_aovs(std::span<const Aov> aovs, const PreparedScene& prepared,
                    const geometry::Camera& camera, const geometry::Ray& ray, std::span<float> out);
 

@@ -22,9 +22,15 @@ bool any_material(const shading::Scene& scene, const Kind& is_of_kind) {
 }  // namespace
 
 PreparedScene::PreparedScene(const shading::Scene& scene, std::string_view accelerator)
+    : PreparedScene(scene, [&](const geometry::World& world, const geometry::HoleTest* holes) {
+        return geometry::make_accelerator(accelerator, world, holes);
+      }) {}
+
+PreparedScene::PreparedScene(const shading::Scene& scene,
+                             const AcceleratorFactory& make_accelerator)
     : scene_(scene),
       holes_(std::make_unique<shading::AlphaMask>(scene)),
-      accelerator_(geometry::make_accelerator(accelerator, scene.world, holes_.get())),
+      accelerator_(make_accelerator(scene.world, holes_.get())),
       emitters_(scene),
       has_see_through_(
           any_material(scene, [](const auto& material) { return material.is_see_through(); })),
@@ -33,8 +39,7 @@ PreparedScene::PreparedScene(const shading::Scene& scene, std::string_view accel
 
 geometry::SurfacePoint PreparedScene::point_at(const geometry::Ray& ray,
                                                const geometry::Hit& hit) const {
-  const geometry::Crossing crossing = refine(scene_.world, ray, hit, holes_.get());
-  return surface_point(scene_.world, ray, hit, crossing, material(hit).is_textured());
+  return surface_point(scene_.world, ray, hit, crossing_at(ray, hit), material(hit).is_textured());
 }
 
 std::optional<geometry::SurfacePoint> PreparedScene::first_surface(geometry::Ray ray) const {

@@ -8,16 +8,28 @@
 #include "renderer/emitters.h"
 #include "shading/scene.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string_view>
 
 namespace lume::renderer {
 
+/// Builds a structure over a world; the holes may be null. Both outlive it.
+using AcceleratorFactory = std::function<std::unique_ptr<geometry::Accelerator>(
+    const geometry::World&, const geometry::HoleTest*)>;
+
 class PreparedScene {
  public:
   /// `scene` must outlive this. Throws what make_accelerator throws.
   PreparedScene(const shading::Scene& scene, std::string_view accelerator);
+  /// With a structure that need not have a name. Throws what `make_accelerator` throws.
+  PreparedScene(const shading::Scene& scene, const AcceleratorFactory& make_accelerator);
+
+  /// Says whose picture is to be rendered; see Accelerator::prepare_view.
+  void prepare_view(const geometry::Camera& camera, int width, int height) {
+    accelerator_->prepare_view(camera, width, height);
+  }
 
   [[nodiscard]] const shading::Scene& scene() const { return scene_; }
   [[nodiscard]] const geometry::Accelerator& accelerator() const { return *accelerator_; }
@@ -29,6 +41,11 @@ class PreparedScene {
 
   [[nodiscard]] const shading::Material& material(const geometry::Hit& hit) const {
     return scene_.materials[scene_.world.geometry(hit).material];
+  }
+  /// Where along the ray, and where on the primitive, it meets what an accelerator named.
+  [[nodiscard]] geometry::Crossing crossing_at(const geometry::Ray& ray,
+                                               const geometry::Hit& hit) const {
+    return refine(scene_.world, ray, hit, holes_.get());
   }
   /// The place where the ray meets what the accelerator named.
   [[nodiscard]] geometry::SurfacePoint point_at(const geometry::Ray& ray,

@@ -22,6 +22,8 @@ struct Command {
 /// `arguments` is the command line after `lume render`, which a message may quote.
 [[nodiscard]] Command add_render_command(CLI::App& parent, std::vector<std::string> arguments);
 [[nodiscard]] Command add_trace_command(CLI::App& parent);
+/// `arguments` is the command line after `lume bench`, which reports quote.
+[[nodiscard]] Command add_bench_command(CLI::App& parent, std::vector<std::string> arguments);
 [[nodiscard]] Command add_info_command(CLI::App& parent);
 
 }  // namespace lume::cli

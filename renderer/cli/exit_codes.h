@@ -13,6 +13,7 @@ enum class ExitCode {
   scene = 3,         ///< the scene's content is wrong or not supported
   input_output = 4,  ///< a file cannot be read or written
   non_finite = 6,    ///< the pictures are written, but some samples were infinite or NaN
+  disagreement = 7,  ///< structures that should give the same answers do not
   interrupted = 130  ///< stopped by SIGINT or SIGTERM; what was done is written
 };
 

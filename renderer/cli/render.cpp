@@ -4,6 +4,7 @@
 
 #include "geometry/parallel.h"
 #include "renderer/cli/commands.h"
+#include "renderer/cli/counting.h"
 #include "renderer/cli/interrupt.h"
 #include "renderer/cli/output_name.h"
 #include "renderer/cli/picture.h"
@@ -59,6 +60,15 @@ renderer::RenderSettings render_settings(const RenderOptions& options, const Ima
     if (asked) settings.aovs.push_back(info.aov);
   }
   return settings;
+}
+
+/// Whether the accelerator can tell what is asked of it is known once it is built.
+void check_cost_aovs(const RenderOptions& options, const renderer::RenderSettings& settings,
+                     const renderer::PreparedScene& prepared) {
+  const auto asked = std::find_if(settings.aovs.begin(), settings.aovs.end(), renderer::is_of_cost);
+  if (asked != settings.aovs.end()) {
+    check_counts_cost("--aov", options.accelerator, prepared.accelerator());
+  }
 }
 
 renderer::RenderResult trace(const renderer::PreparedScene& prepared, const RenderOptions& options,
@@ -145,7 +155,8 @@ ExitCode run_render(const RenderOptions& options) {
   const std::string light = light_scene(options, loaded.scene);
   stats.load_seconds = watch.lap();
 
-  const renderer::PreparedScene prepared(loaded.scene, options.accelerator);
+  renderer::PreparedScene prepared(loaded.scene, options.accelerator);
+  check_cost_aovs(options, settings, prepared);
   stats.build_seconds = watch.lap();
   if (InterruptGuard::flag()) {
     spdlog::warn("interrupted before there was a picture; nothing is written");
@@ -157,6 +168,7 @@ ExitCode run_render(const RenderOptions& options) {
                  printable(options.scene_file));
   }
   focus(viewpoint, options, prepared);
+  prepared.prepare_view(viewpoint.camera.camera, viewpoint.size.width, viewpoint.size.height);
   log_unsampled_emitters(loaded.scene);
   log_plan(options, viewpoint, settings.region, light, limit.threads());
   renderer::RenderResult result = trace(prepared, options, settings, viewpoint.camera.camera);

@@ -26,6 +26,16 @@ std::vector<std::string> aov_names() {
   return names;
 }
 
+/// All means all that every accelerator can tell.
+std::vector<std::string> parse_aovs(const std::string& text) {
+  if (text != "all") return parse_names(text, "AOV", aov_names());
+  std::vector<std::string> names;
+  for (const renderer::AovInfo& info : renderer::aov_infos()) {
+    if (!is_of_cost(info.aov)) names.emplace_back(info.name);
+  }
+  return names;
+}
+
 void add_part_options(CLI::App& app, RenderOptions& options) {
   app.add_option("-o,--output", options.outputs,
                  "Write a picture; its extension chooses the format. Repeats.")
@@ -38,10 +48,8 @@ void add_part_options(CLI::App& app, RenderOptions& options) {
   add_parsed(app, "--crop", options.crop, parse_crop, "Render this part of the picture only")
       ->type_name("WxH+X+Y")
       ->group(group);
-  add_parsed(
-      app, "--aov", options.aovs,
-      [](const std::string& text) { return parse_names(text, "AOV", aov_names()); },
-      fmt::format("More layers for EXR files: all, or of {}", fmt::join(aov_names(), ", ")))
+  add_parsed(app, "--aov", options.aovs, parse_aovs,
+             fmt::format("More layers for EXR files: all, or of {}", fmt::join(aov_names(), ", ")))
       ->type_name("LIST")
       ->group(group);
   app.add_option("--threads", options.threads, "0: one for each core (0)")

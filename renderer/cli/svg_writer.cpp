@@ -131,4 +131,13 @@ std::string SvgWriter::finish(double width, double height, std::string_view titl
          body_ + "</svg>\n";
 }
 
+std::string SvgWriter::inline_element(double width, double height, std::string_view title) const {
+  return fmt::format(
+             R"(<svg width="{0:.0f}" height="{1:.0f}" viewBox="0 0 {0:.0f} {1:.0f}" role="img">
+<title>{2}</title>
+)",
+             width, height, xml_text(title)) +
+         body_ + "</svg>\n";
+}
+
 }  // namespace lume::cli

@@ -38,6 +38,9 @@ class SvgWriter {
 
   /// The whole file.
   [[nodiscard]] std::string finish(double width, double height, std::string_view title) const;
+  /// The drawing as an element of an HTML page, whose fonts it takes.
+  [[nodiscard]] std::string inline_element(double width, double height,
+                                           std::string_view title) const;
 
  private:
   std::string body_;

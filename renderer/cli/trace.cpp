@@ -72,8 +72,9 @@ ExitCode run_trace(const TraceOptions& options) {
   Viewpoint viewpoint = choose_viewpoint(loaded.scene, options);
   check_pixel(*options.pixel, viewpoint.size);
   const std::string light = light_scene(options, loaded.scene);
-  const renderer::PreparedScene prepared(loaded.scene, options.accelerator);
+  renderer::PreparedScene prepared(loaded.scene, options.accelerator);
   focus(viewpoint, options, prepared);
+  prepared.prepare_view(viewpoint.camera.camera, viewpoint.size.width, viewpoint.size.height);
 
   const TraceReport report{options,        loaded.scene,
                            viewpoint.size, viewpoint.camera.description,

@@ -57,7 +57,7 @@ void add_memberships(const Items& items, std::uint32_t item, const Lattice& latt
 
 Grid::Grid(const Items& items) : lattice_(choose_lattice(items)) {
   std::vector<Membership> memberships;
-  memberships.reserve(2 * items.size());
+  memberships.reserve(std::size_t{2} * items.size());
   for (std::uint32_t i = 0; i < items.size(); ++i) add_memberships(items, i, lattice_, memberships);
   // Sorted by counting: how many are in each cell, where each cell's list ends, and then every list
   // from its end to its beginning.

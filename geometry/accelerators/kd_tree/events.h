@@ -2,7 +2,7 @@
 // What the builder of the kd-tree looks at instead of items: the places along each axis where one
 // begins, ends, or lies as a whole. They are sorted once, at the root; what a plane parts stays in
 // order, which makes O(N log N) of O(N log^2 N) (Wald and Havran 2006, "On building fast kd-Trees
-// for Ray Tracing, and on doing that in O(N log N)", section 4.3).
+// for Ray Tracing, and on doing that in O(N log N)").
 #pragma once
 
 #include "geometry/accelerators/items.h"

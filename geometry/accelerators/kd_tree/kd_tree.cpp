@@ -16,7 +16,8 @@ namespace kd_tree {
 class Builder {
  public:
   Builder(const Items& items, KdTree& tree) : divider_(items), tree_(tree) {
-    // Havran 2000, section 4.5: deeper trees are of no use, whatever the heuristic says.
+    // The rule of Havran 2000, "Heuristic Ray Shooting Algorithms": deeper trees are of no use,
+    // whatever the heuristic says.
     const double depth = 8.0 + 1.3 * std::log2(items.size());
     max_depth_ = std::min(static_cast<std::size_t>(depth), std::size_t{k_max_depth});
   }

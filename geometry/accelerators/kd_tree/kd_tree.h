@@ -34,7 +34,7 @@ class KdTree {
  public:
   explicit KdTree(const Items& items);
 
-  /// Havran 2000, "Heuristic Ray Shooting Algorithms", appendix C: the interval of t in which the
+  /// Havran 2000, "Heuristic Ray Shooting Algorithms": the interval of t in which the
   /// ray is in a node is cut in two by the plane. Here the parts overlap by what may be rounded.
   template <class Visit, class Cost>
   bool traverse(const ObjectRay& ray, const Visit& visit, Cost& cost) const {
@@ -43,12 +43,12 @@ class KdTree {
     Waiting waiting[k_max_depth + 1];
     int count = 0;
     const Interval1D whole = slabs.clip(all_, ray.t_min, ray.t_max);
-    if (!whole.is_empty()) waiting[count++] = {0, whole};
+    if (!whole.is_empty()) waiting[count++] = {0, whole.enter, whole.leave};
     Mailbox mailbox;
     while (count > 0) {
-      auto [index, inside] = waiting[--count];
+      auto [index, enter, leave] = waiting[--count];
       // Something nearer was met since. What begins just there may hold a lower identity.
-      if (inside.enter > ray.t_max) continue;
+      if (enter > ray.t_max) continue;
       while (!nodes_[index].is_leaf()) {
         cost.add_node();
         const Node& node = nodes_[index];
@@ -57,12 +57,11 @@ class KdTree {
         const double latest = slabs.latest(axis, node.place);
         const std::uint32_t second = slabs.backwards(axis) ? 0 : 1;
         index = node.first + 1 - second;
-        if (latest < inside.enter) {
+        if (latest < enter) {
           index = node.first + second;
-        } else if (earliest <= inside.leave) {
-          waiting[count++] = {node.first + second,
-                              {std::max(inside.enter, earliest), inside.leave}};
-          inside.leave = std::min(inside.leave, latest);
+        } else if (earliest <= leave) {
+          waiting[count++] = {node.first + second, std::max(enter, earliest), leave};
+          leave = std::min(leave, latest);
         }
       }
       const Node& leaf = nodes_[index];
@@ -81,7 +80,8 @@ class KdTree {
   /// A node, and where the ray is inside.
   struct Waiting {
     std::uint32_t node;
-    Interval1D inside;
+    double enter;
+    double leave;
   };
 
   Bounds all_;

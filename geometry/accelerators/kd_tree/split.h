@@ -12,7 +12,7 @@ namespace lume::geometry::kd_tree {
 /// What it takes to test an item, where to go through an inner node takes 1.
 inline constexpr double k_test_cost = 1.5;
 /// Of the cost of a cut that makes an empty child: rays pass it for nothing, which the heuristic
-/// undervalues (Wald and Havran 2006, section 3.4).
+/// undervalues (Wald and Havran 2006).
 inline constexpr double k_empty_bonus = 0.8;
 
 struct Split {

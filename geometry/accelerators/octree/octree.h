@@ -51,12 +51,12 @@ class Octree {
     Waiting waiting[7 * k_max_depth + 1];  // all but one child of each node on the way down
     int count = 0;
     const Interval1D whole = slabs.clip(all_, ray.t_min, ray.t_max);
-    if (!whole.is_empty()) waiting[count++] = {0, whole};
+    if (!whole.is_empty()) waiting[count++] = {0, whole.enter, whole.leave};
     Mailbox mailbox;
     while (count > 0) {
-      const auto [index, inside] = waiting[--count];
+      const auto [index, enter, leave] = waiting[--count];
       // Something nearer was met since. What begins just there may hold a lower identity.
-      if (inside.enter > ray.t_max) continue;
+      if (enter > ray.t_max) continue;
       const Node& node = nodes_[index];
       if (node.is_leaf) {
         for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
@@ -67,8 +67,10 @@ class Octree {
       cost.add_node();
       const Crossings crossings(slabs, node.middle);
       for (std::uint32_t child = 8; child-- > 0;) {  // the first one on top
-        const Interval1D part = crossings.clip(inside, child);
-        if (!part.is_empty()) waiting[count++] = {node.first + (child ^ corner), part};
+        const Interval1D part = crossings.clip({enter, leave}, child);
+        if (!part.is_empty()) {
+          waiting[count++] = {node.first + (child ^ corner), part.enter, part.leave};
+        }
       }
     }
     return false;
@@ -82,7 +84,8 @@ class Octree {
   /// A node, and where the ray is inside.
   struct Waiting {
     std::uint32_t node;
-    Interval1D inside;
+    double enter;
+    double leave;
   };
 
   /// When a ray crosses the three planes of a node.

@@ -35,7 +35,7 @@ ItemRange SceneItems::range_of(std::uint32_t item) const {
 std::size_t SceneItems::memory_bytes() const {
   std::size_t bytes = first_.size() * sizeof(std::uint32_t);
   for (const TriangleItems& triangles : triangles_) {
-    bytes += triangles.size() * (sizeof(Bounds) + sizeof(Hit) + sizeof(const Mesh*));
+    bytes += triangles.size() * (sizeof(Bounds) + sizeof(Hit) + sizeof(void*));
   }
   return bytes;
 }

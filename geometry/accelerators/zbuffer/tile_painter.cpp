@@ -51,7 +51,8 @@ float float_above(double x) {
 Tile paint_tile(const SceneItems& items, const View& view, const CellRange& cells,
                 std::span<const std::uint32_t> touching) {
   const std::vector<Drawn> all = project(items, view, cells, touching);
-  std::array<double, std::size_t{k_tile} * k_tile> covered;  // nearness of what hides all behind it
+  std::array<double, std::size_t{k_tile} * k_tile>
+      covered{};  // nearness of what hides all behind it
   covered.fill(-std::numeric_limits<double>::infinity());
   for (const Drawn& drawn : all) {
     if (!drawn.footprint.is_solid) continue;

@@ -10,17 +10,21 @@
 
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 
 namespace lume::geometry {
 namespace zbuffer {
 namespace {
 
+/// Of a pinhole camera that sees something, a picture that is worth its memory.
 bool can_draw(const Camera& camera, int width, int height) {
+  constexpr std::int64_t k_most_pixels = std::int64_t{1} << 26U;  // four bytes each
   const bool is_perspective = camera.projection == Camera::Projection::perspective;
   const float size = is_perspective ? camera.vertical_fov : camera.half_height;
-  return camera.lens_radius == 0.0f && width > 0 && height > 0 && size > 0.0f &&
-         std::isfinite(size) && is_finite(camera.position);
+  return camera.lens_radius == 0.0f && width > 0 && height > 0 &&
+         std::int64_t{width} * height <= k_most_pixels && size > 0.0f && std::isfinite(size) &&
+         is_finite(camera.position);
 }
 
 /// A ray in the space of the placement that it is in.

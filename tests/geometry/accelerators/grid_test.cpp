@@ -125,9 +125,9 @@ TEST(LatticeWalk, RaysThroughAllCorners_EnterACellOfEachItem) {
     const Ray ray{.origin = Vec3(2.0f) - 7.0f * sign, .direction = sign};
     const std::vector<std::size_t> cells = walk_through(lattice, ray);
     for (std::uint32_t i = 0; i < items.size(); ++i) {
-      const auto [first, last] = lattice.touched_by(items.bounds(i));
+      const grid::CellRange touched = lattice.touched_by(items.bounds(i));
       const bool found = std::any_of(cells.begin(), cells.end(), [&](std::size_t cell) {
-        return cell == lattice.index(first) || cell == lattice.index(last);
+        return cell == lattice.index(touched.first) || cell == lattice.index(touched.last);
       });
       EXPECT_TRUE(found) << "item " << i;
     }
