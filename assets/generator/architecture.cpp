@@ -7,6 +7,7 @@
 #include "assets/generator/fit_detail.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace lume::generator {

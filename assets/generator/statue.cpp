@@ -29,8 +29,9 @@ struct Lattice {
   [[nodiscard]] std::size_t triangles() const {
     return 2 * std::size_t{ring()} * wall + 4 * std::size_t{lid} * lid;
   }
+  /// `around` up to ring(), which is 0 again.
   [[nodiscard]] std::uint32_t on_wall(std::uint32_t around, std::uint32_t row) const {
-    return row * ring() + around % ring();
+    return row * ring() + (around < ring() ? around : around - ring());
   }
   /// Corner (i, k) of a lid's cells; on its rim that is a vertex of the wall.
   [[nodiscard]] std::uint32_t on_lid(std::uint32_t i, std::uint32_t k, bool upper) const {

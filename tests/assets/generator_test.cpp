@@ -14,10 +14,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <string>
+#include <tuple>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace lume::generator {
@@ -221,7 +225,7 @@ TEST(Architecture, Bounds_StayTheSame) {
 TEST(Hair, Boxes_OverlapStrongly) {
   // Boxes of things that lie side by side fill the scene's box at most once, whatever they are.
   const Mesh mesh = hair(60000);
-  constexpr std::size_t k_of_strand = 2 * 3 * 12;  // three sides of 12 segments
+  constexpr std::size_t k_of_strand = std::size_t{2} * 3 * 12;  // three sides of 12 segments
   double boxes = 0.0;
   std::size_t strands = 0;
   for (std::size_t end = mesh.triangles.size(); end >= 2 * k_of_strand; end -= k_of_strand) {

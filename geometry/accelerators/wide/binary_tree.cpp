@@ -9,7 +9,7 @@ Split find_split(const Range& range, const BinarySource& source) {
   // From here on halves, so that leaves are reached before the tree is too deep.
   if (range.depth >= k_max_depth / 2) return {};
   const Split whole = find_object_split(range);
-  if (range.room == 0) return whole;
+  if (range.room == 0 || range.cuttable == 0) return whole;
   // Cuts pay where boxes overlap, seen from the whole tree (Stich et al. 2009, section 4.1) and
   // from the range itself: to look for them takes longer than all the rest.
   constexpr double k_of_tree = 1e-5;

@@ -64,17 +64,20 @@ Tree join(std::vector<Part>& parts, const std::vector<OpenChild>& open) {
   return tree;
 }
 
-/// How often each triangle may be cut: by the share that its box has of all boxes' areas.
-void allow_cuts(std::span<Reference> references) {
-  constexpr double k_cuts_of_average = 10.0;
+/// How often each triangle may be cut: those with boxes much larger than others', by how much. To
+/// cut the others gains nothing and takes most of the time.
+void allow_cuts(Range& range) {
+  constexpr double k_least_cuts = 2.0;
   constexpr double k_most_cuts = 31.0;
   double total = 0.0;
-  for (const Reference& reference : references) total += reference.box().half_area();
+  for (const Reference& reference : range.references()) total += reference.box().half_area();
   if (!(total > 0.0)) return;
-  const double scale = k_cuts_of_average * static_cast<double>(references.size()) / total;
-  for (Reference& reference : references) {
+  const double scale = static_cast<double>(range.count) / total;
+  for (Reference& reference : range.references()) {
     const double cuts = std::min(reference.box().half_area() * scale, k_most_cuts);
+    if (cuts < k_least_cuts) continue;
     reference.splits = static_cast<std::uint32_t>(cuts);
+    ++range.cuttable;
   }
 }
 
@@ -130,10 +133,10 @@ Start make_references(const Items& items, const CollapseSource& source) {
     start.range.middles.add_point(middle(box));
   }
   start.range.count = start.references.size();
-  if (room > 0) allow_cuts(start.references);
   start.range.room = room;
   start.references.resize(start.range.count + room);
   start.range.begin = start.references.data();
+  if (room > 0) allow_cuts(start.range);
   return start;
 }
 

@@ -168,9 +168,11 @@ std::size_t cut_references(const Range& range, const Split& split, const Triangl
   return count;
 }
 
-void add(Range& range, const Box& box) {
+void add(Range& range, const Reference& reference) {
+  const Box box = reference.box();
   range.box.add(box);
   range.middles.add_point(middle(box));
+  range.cuttable += reference.splits > 0 ? 1 : 0;
 }
 
 /// Left ones first; completes both sides' boxes.
@@ -178,12 +180,11 @@ void partition(const Split& split, Range& left, Range& right, Reference* end) {
   Reference* front = left.begin;
   Reference* back = end;
   while (front < back) {
-    const Box box = front->box();
-    if (split.map.bin(middle(box), split.axis) < split.bin) {
-      add(left, box);
+    if (split.map.bin(middle(front->box()), split.axis) < split.bin) {
+      add(left, *front);
       ++front;
     } else {
-      add(right, box);
+      add(right, *front);
       std::swap(*front, *--back);
     }
   }
@@ -193,7 +194,7 @@ void partition(const Split& split, Range& left, Range& right, Reference* end) {
 void halve(Range& left, Range& right, std::size_t count) {
   right.begin = left.begin + count / 2;
   for (Reference* i = left.begin; i < left.begin + count; ++i) {
-    add(i < right.begin ? left : right, i->box());
+    add(i < right.begin ? left : right, *i);
   }
 }
 
@@ -249,6 +250,7 @@ std::pair<Range, Range> apply_split(const Range& range, const Split& split,
   if (split.axis >= 0) partition(split, left, right, range.begin + count);
   if (split.axis < 0 || right.begin == left.begin || right.begin == range.begin + count) {
     left.box = right.box = left.middles = right.middles = Box();
+    left.cuttable = right.cuttable = 0;
     halve(left, right, count);
   }
   left.count = static_cast<std::size_t>(right.begin - left.begin);

@@ -17,7 +17,8 @@ namespace lume::geometry::wide {
 struct Range {
   Reference* begin = nullptr;
   std::size_t count = 0;
-  std::size_t room = 0;  ///< how many more there may be
+  std::size_t room = 0;      ///< how many more there may be
+  std::size_t cuttable = 0;  ///< how many may be cut
   Box box;
   Box middles;  ///< around the middles of the references' boxes
   std::size_t depth = 0;

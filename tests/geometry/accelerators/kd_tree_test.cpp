@@ -13,7 +13,6 @@ namespace lume::geometry {
 namespace {
 
 using kd_tree::Event;
-using kd_tree::EventKind;
 using kd_tree::EventLists;
 using kd_tree::Plane;
 using kd_tree::Split;
@@ -220,7 +219,7 @@ TEST(KdTree, SahCost_IsWhatRaysThroughTheBoxFind) {
   const TriangleItems items(object);
   const kd_tree::KdTree tree(items);
   const Bounds all = items.all_bounds();
-  const double radius = static_cast<double>(all.radius());
+  const auto radius = static_cast<double>(all.radius());
   TraversalCost cost;
   int rays = 0;
   while (rays < test::cases(40000)) {
