@@ -57,3 +57,26 @@ function(lume_add_executable name)
   target_link_libraries(${name} PRIVATE lume_flags)
   set_target_properties(${name} PROPERTIES CXX_EXTENSIONS OFF)
 endfunction()
+
+# lume_precompile(<target> <header>...): these and what all files include are compiled once. What a
+# file needs it still includes itself; the tidy preset builds without and finds what is missing.
+function(lume_precompile target)
+  target_precompile_headers(
+    ${target}
+    PRIVATE
+    <algorithm>
+    <array>
+    <cmath>
+    <cstdint>
+    <functional>
+    <limits>
+    <memory>
+    <optional>
+    <span>
+    <string>
+    <variant>
+    <vector>
+    <glm/glm.hpp>
+    <glm/gtc/quaternion.hpp>
+    ${ARGN})
+endfunction()

@@ -9,9 +9,8 @@ namespace lume::generator {
 /// Metres from the head's middle to the feet, which stand on y = 0.
 inline constexpr float k_figure_eye_height = 1.66f;
 
-/// About the distance to the figure's smooth surface in metres, negative inside. On every ray that
-/// leaves the y axis between the feet and the head, outwards and not steeply down, it grows in a
-/// way that makes its first zero easy to find.
+/// About the distance to the figure's smooth surface in metres, negative inside. From the y axis
+/// between the feet and the head, level or upwards, steps of this length lead to the surface.
 [[nodiscard]] float figure_distance(const geometry::Vec3& p);
 
 /// How far a chisel left the surface from there, along the outward direction (metres): folds in the

@@ -14,7 +14,7 @@ namespace {
 
 constexpr float k_table = 0.9f;  // the height of what the teapot stands on
 
-/// The stadium's divisions; it has 4 sectors * tiers triangles and a few hundred at most more.
+/// The stadium's divisions; it has 4 * sectors * (tiers + 1) triangles.
 struct StadiumDetail {
   std::uint32_t sectors = 16;
   std::uint32_t tiers = 2;

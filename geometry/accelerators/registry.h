@@ -37,9 +37,9 @@ struct AcceleratorEntry {
 
 /// The default first.
 inline constexpr std::array k_registry = {
+    AcceleratorEntry{"wide", make_wide},
     AcceleratorEntry{"embree", make_embree},
     AcceleratorEntry{"embree-high", make_embree_high},
-    AcceleratorEntry{"wide", make_wide},
     AcceleratorEntry{"bvh-median", make_bvh_median},
     AcceleratorEntry{"bvh-sah", make_bvh_sah},
     AcceleratorEntry{"bvh-sweep", make_bvh_sweep},

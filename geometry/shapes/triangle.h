@@ -22,9 +22,9 @@ struct ShearedRay {
   }
 
   DVec3 origin;
-  int z;  ///< the axis along which the ray is longest
-  int x;
-  int y;
+  int z = 0;  ///< the axis along which the ray is longest
+  int x = 0;
+  int y = 0;
   double shear_x = 0.0;
   double shear_y = 0.0;
   double length_z = 0.0;  ///< the direction's component along z

@@ -34,8 +34,13 @@ inline geometry::Ray axis_ray(Random& random) {
 /// Meshes, shapes and objects of both, under random affine transforms, some of them more than once,
 /// and a plane without an end.
 inline geometry::World mixed_world(Random& random) {
-  using namespace geometry;
-  World world;
+  using geometry::Box;
+  using geometry::Plane;
+  using geometry::Shape;
+  using geometry::Sphere;
+  using geometry::Torus;
+  using geometry::Transform;
+  geometry::World world;
   for (int object = 0; object < 3; ++object) {
     world.objects.push_back({"",
                              {{triangle_soup(random, 40, 1.0f, 0.5f)},

@@ -64,18 +64,18 @@ Tree join(std::vector<Part>& parts, const std::vector<OpenChild>& open) {
   return tree;
 }
 
-/// How often each triangle may be cut: those with boxes much larger than others', by how much. To
+/// How often each triangle may be cut: those with boxes larger than the average. To
 /// cut the others gains nothing and takes most of the time.
 void allow_cuts(Range& range) {
-  constexpr double k_least_cuts = 2.0;
+  constexpr double k_cuts_of_average = 4.0;
   constexpr double k_most_cuts = 31.0;
   double total = 0.0;
   for (const Reference& reference : range.references()) total += reference.box().half_area();
   if (!(total > 0.0)) return;
-  const double scale = static_cast<double>(range.count) / total;
+  const double scale = k_cuts_of_average * static_cast<double>(range.count) / total;
   for (Reference& reference : range.references()) {
     const double cuts = std::min(reference.box().half_area() * scale, k_most_cuts);
-    if (cuts < k_least_cuts) continue;
+    if (cuts < k_cuts_of_average) continue;
     reference.splits = static_cast<std::uint32_t>(cuts);
     ++range.cuttable;
   }

@@ -15,7 +15,6 @@ namespace {
 
 using test::Random;
 using zbuffer::CellRange;
-using zbuffer::Footprint;
 using zbuffer::Rect;
 using zbuffer::View;
 
