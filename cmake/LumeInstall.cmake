@@ -16,4 +16,5 @@ install(
   NAMESPACE lume::
   DESTINATION ${package_dir})
 install(FILES ${PROJECT_BINARY_DIR}/generated/lume_version.h
+              include/lume/accelerator_plugin.h
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lume)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/accelerators/accelerator.h"
 
+#include "geometry/accelerators/plugin/plugin.h"
 #include "geometry/accelerators/registry.h"
 
 #include <array>
@@ -46,6 +47,7 @@ std::span<const std::string_view> accelerator_names() {
 std::unique_ptr<Accelerator> make_accelerator(std::string_view name, const World& world,
                                               const HoleTest* holes,
                                               const AcceleratorOptions& options) {
+  if (name.find('/') != std::string_view::npos) return make_plugin(std::string(name), world, holes);
   for (const AcceleratorEntry& entry : k_registry) {
     if (entry.name == name) return entry.make(world, holes, options);
   }

@@ -138,4 +138,12 @@ CLI::Validator one_of(std::string what, std::vector<std::string> names) {
   });
 }
 
+CLI::Validator name_or_file(std::string what, std::vector<std::string> names) {
+  return make_check([what = std::move(what), names = std::move(names)](const std::string& text) {
+    if (text.find('/') != std::string::npos) return;
+    if (std::find(names.begin(), names.end(), text) != names.end()) return;
+    throw UsageError(unknown_name(what, text, names));
+  });
+}
+
 }  // namespace lume::cli

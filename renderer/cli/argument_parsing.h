@@ -36,5 +36,7 @@ namespace lume::cli {
 /// Anything but nothing and what is plainly the next option ("-o --width 5").
 [[nodiscard]] CLI::Validator file_name();
 [[nodiscard]] CLI::Validator one_of(std::string what, std::vector<std::string> names);
+/// The same, or the name of a file, which has a slash.
+[[nodiscard]] CLI::Validator name_or_file(std::string what, std::vector<std::string> names);
 
 }  // namespace lume::cli

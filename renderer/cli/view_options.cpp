@@ -105,8 +105,14 @@ void add_method_options(CLI::App& app, ViewOptions& options) {
       ->group(group);
   app.add_flag("--no-shadows", options.no_shadows, "Let the lights shine through everything")
       ->group(group);
-  add_choice(app, "--accelerator", options.accelerator, "accelerator",
-             to_strings(geometry::accelerator_names()), group);
+  const std::vector<std::string> accelerators = to_strings(geometry::accelerator_names());
+  options.accelerator = accelerators.front();
+  app.add_option("--accelerator", options.accelerator,
+                 fmt::format("{}, or the file of a plugin, ./mine.so ({})",
+                             list_names(accelerators), options.accelerator))
+      ->check(name_or_file("accelerator", accelerators))
+      ->type_name("NAME|FILE")
+      ->group(group);
 }
 
 void add_light_options(CLI::App& app, ViewOptions& options) {

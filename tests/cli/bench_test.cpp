@@ -178,8 +178,9 @@ TEST_F(BenchCommand, CostMaps_AreWritten) {
 }
 
 TEST_F(BenchCommand, CostAovs_NeedAStructureThatCounts) {
-  const Arguments render = {"render", scene_,  "-q",    "--width", "8",    "--spp",
-                            "1",      "--aov", "nodes", "-o",      "a.exr"};
+  const Arguments render = {"render", scene_,  "-q",    "--width", "8",     "--spp",
+                            "1",      "--aov", "nodes", "-o",      "a.exr", "--accelerator",
+                            "embree"};
   const Outcome refused = run_lume(folder_, render);
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_THAT(refused.err, HasSubstr("--aov: embree does not count"));

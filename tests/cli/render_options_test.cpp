@@ -32,7 +32,7 @@ TEST(RenderOptions, Defaults_AreThoseOfTheHelp) {
   EXPECT_EQ(options.spp, 16u);
   EXPECT_EQ(options.filter, "blackman-harris");
   EXPECT_EQ(options.integrator, "whitted");
-  EXPECT_EQ(options.accelerator, "embree");
+  EXPECT_EQ(options.accelerator, "wide");
   EXPECT_FALSE(options.width || options.height || options.crop || options.camera);
 }
 
