@@ -28,8 +28,8 @@ typedef struct LumeTriangles {
   uint32_t triangle_count;
 } LumeTriangles;
 
-/* The points origin + t direction, t_min <= t <= t_max. All finite but t_max, which may be infinite;
- * direction is not 0 and not a unit vector. */
+/* The points origin + t direction, t_min <= t <= t_max. All finite but t_max, which may be
+ * infinite; direction is not 0 and not a unit vector. */
 typedef struct LumeRay {
   float origin[3];
   float t_min;

@@ -4,7 +4,8 @@
 #pragma once
 
 #include "geometry/accelerators/items.h"
-#include "include/lume/accelerator_plugin.h"
+
+#include <lume/accelerator_plugin.h>
 
 #include <memory>
 #include <string>
