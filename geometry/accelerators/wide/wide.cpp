@@ -79,6 +79,7 @@ class Wide final : public Accelerator {
 
   void closest_hits(std::span<const Ray> rays, std::span<std::optional<Hit>> hits) const override {
     if (!takes_packets_) return Accelerator::closest_hits(rays, hits);
+    std::fill(hits.begin(), hits.end(), std::nullopt);
     const Candidates candidates{this, &*merged_, std::nullopt};
     in_packets(rays, [&](std::span<TriangleQuery> queries, std::span<const std::size_t> places) {
       kernel_.closest_of_packet(merged_->tree(), queries.data(),
@@ -97,6 +98,7 @@ class Wide final : public Accelerator {
 
   void any_hits(std::span<const Ray> rays, std::span<std::uint8_t> occluded) const override {
     if (!takes_packets_) return Accelerator::any_hits(rays, occluded);
+    std::fill(occluded.begin(), occluded.end(), std::uint8_t{0});
     in_packets(rays, [&](std::span<TriangleQuery> queries, std::span<const std::size_t> places) {
       const unsigned met = kernel_.any_of_packet(merged_->tree(), queries.data(),
                                                  static_cast<unsigned>(queries.size()));

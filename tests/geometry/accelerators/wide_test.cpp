@@ -183,8 +183,8 @@ TEST(Wide, BatchesOfRays_AreAnsweredAsOneByOne) {
       std::vector<Ray> rays(100);
       for (Ray& ray : rays) ray = test::random_ray(random);
       rays[7].origin.x = std::numeric_limits<float>::quiet_NaN();
-      std::vector<std::optional<Hit>> hits(rays.size());
-      std::vector<std::uint8_t> occluded(rays.size());
+      std::vector<std::optional<Hit>> hits(rays.size(), Hit{9, 9, 9});
+      std::vector<std::uint8_t> occluded(rays.size(), 7);
       accelerator->closest_hits(rays, hits);
       accelerator->any_hits(rays, occluded);
       for (std::size_t i = 0; i < rays.size(); ++i) {
