@@ -80,7 +80,7 @@ void expect_nearest(const TriangleItems& items, int count, const MakeRay& make_r
       ASSERT_EQ(kernel->any(tree, any), item != wide::k_no_item) << kernel->name << ", ray " << i;
     }
   }
-  EXPECT_GT(hits, count / 500);
+  EXPECT_GE(hits, items.size() > 10 ? count / 500 : 0);
 }
 
 TEST(WideKernels, RandomSoup_NearestTriangleAsByBruteForce) {
