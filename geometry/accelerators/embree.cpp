@@ -2,6 +2,7 @@
 #include "geometry/accelerators/embree.h"
 
 #include "geometry/accelerators/embree_callbacks.h"
+#include "geometry/accelerators/embree_rays.h"
 #include "geometry/accelerators/items.h"
 #include "geometry/accelerators/registry.h"
 
@@ -17,20 +18,6 @@
 
 namespace lume::geometry {
 namespace {
-
-RTCRay to_embree(const Ray& ray) {
-  RTCRay result{};
-  result.org_x = ray.origin.x;
-  result.org_y = ray.origin.y;
-  result.org_z = ray.origin.z;
-  result.tnear = ray.t_min;
-  result.dir_x = ray.direction.x;
-  result.dir_y = ray.direction.y;
-  result.dir_z = ray.direction.z;
-  result.tfar = ray.t_max;
-  result.mask = ~0u;  // a mask of 0 meets nothing
-  return result;
-}
 
 enum class Quality {
   robust,  ///< no ray slips between triangles that share an edge; one in six does otherwise
@@ -86,13 +73,13 @@ class Embree final : public Accelerator {
 
   void closest_hits(std::span<const Ray> rays, std::span<std::optional<Hit>> hits) const override {
     if (!takes_packets_) return Accelerator::closest_hits(rays, hits);
-    for (std::size_t first = 0; first < rays.size(); first += k_packet) {
-      const std::size_t count = std::min(k_packet, rays.size() - first);
-      EmbreeQuery context = make_coherent_context();
+    for (std::size_t first = 0; first < rays.size(); first += k_embree_packet) {
+      const std::size_t count = std::min(k_embree_packet, rays.size() - first);
+      EmbreeQuery context = make_packet_context(true);
       RTCRayHit16 packet{};
-      alignas(64) int valid[k_packet];
-      fill(rays.subspan(first, count), packet.ray, valid);
-      std::fill_n(packet.hit.geomID, k_packet, RTC_INVALID_GEOMETRY_ID);
+      alignas(64) int valid[k_embree_packet];
+      fill_packet(rays.subspan(first, count), packet.ray, valid);
+      std::fill_n(packet.hit.geomID, k_embree_packet, RTC_INVALID_GEOMETRY_ID);
       rtcIntersect16(valid, scene_, &context.embree, &packet);
       for (std::size_t i = 0; i < count; ++i) {
         RTCHit hit{};
@@ -107,12 +94,15 @@ class Embree final : public Accelerator {
 
   void any_hits(std::span<const Ray> rays, std::span<std::uint8_t> occluded) const override {
     if (!takes_packets_) return Accelerator::any_hits(rays, occluded);
-    for (std::size_t first = 0; first < rays.size(); first += k_packet) {
-      const std::size_t count = std::min(k_packet, rays.size() - first);
-      EmbreeQuery context = make_coherent_context();
+    for (std::size_t first = 0; first < rays.size(); first += k_embree_packet) {
+      const std::size_t count = std::min(k_embree_packet, rays.size() - first);
+      // Rays of several octants that are occluded at different times can keep Embree 3.13.5 in its
+      // coherent traversal for ever.
+      const auto part = rays.subspan(first, count);
+      EmbreeQuery context = make_packet_context(is_of_one_octant(part));
       RTCRay16 packet{};
-      alignas(64) int valid[k_packet];
-      fill(rays.subspan(first, count), packet, valid);
+      alignas(64) int valid[k_embree_packet];
+      fill_packet(part, packet, valid);
       rtcOccluded16(valid, scene_, &context.embree, &packet);
       for (std::size_t i = 0; i < count; ++i) {
         occluded[first + i] = valid[i] != 0 && packet.tfar[i] < 0.0f ? 1 : 0;
@@ -128,8 +118,6 @@ class Embree final : public Accelerator {
   }
 
  private:
-  static constexpr std::size_t k_packet = 16;
-
   [[nodiscard]] EmbreeQuery make_context(const Ray& ray) const {
     EmbreeQuery context;
     context.ray = &ray;
@@ -141,29 +129,13 @@ class Embree final : public Accelerator {
   }
 
   /// For packets, which none of our functions is called for.
-  [[nodiscard]] EmbreeQuery make_coherent_context() const {
+  [[nodiscard]] EmbreeQuery make_packet_context(bool coherent) const {
     EmbreeQuery context;
     context.merged = &merged_;
     rtcInitIntersectContext(&context.embree);
-    context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    context.embree.flags =
+        coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
     return context;
-  }
-
-  static void fill(std::span<const Ray> rays, RTCRay16& packet, int (&valid)[k_packet]) {
-    std::fill_n(valid, k_packet, 0);
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-      const RTCRay ray = to_embree(rays[i]);
-      packet.org_x[i] = ray.org_x;
-      packet.org_y[i] = ray.org_y;
-      packet.org_z[i] = ray.org_z;
-      packet.tnear[i] = ray.tnear;
-      packet.dir_x[i] = ray.dir_x;
-      packet.dir_y[i] = ray.dir_y;
-      packet.dir_z[i] = ray.dir_z;
-      packet.tfar[i] = ray.tfar;
-      packet.mask[i] = ray.mask;
-      valid[i] = is_traceable(rays[i]) ? -1 : 0;
-    }
   }
 
   [[nodiscard]] RTCScene new_scene() const {

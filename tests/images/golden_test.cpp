@@ -73,8 +73,8 @@ TEST_P(GoldenImage, OwnScene_LooksAsItDid) {
     FAIL() << golden_file << " is written anew: look at it, then test without LUME_UPDATE_GOLDEN";
   }
   ASSERT_TRUE(std::filesystem::exists(golden_file))
-      << golden_file << " is missing. To make it: LUME_UPDATE_GOLDEN=1 ctest --preset release -R "
-      << "GoldenImage";
+      << golden_file << " is missing. To make it: LUME_UPDATE_GOLDEN=1 ctest --preset release -L "
+      << "image";
 
   // Through a file, so that both sides are rounded to half floats in the same way.
   const std::filesystem::path file =

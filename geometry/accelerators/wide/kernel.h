@@ -78,14 +78,16 @@ struct Mode {
 /// sort by it: floats that are not negative are in the order of their bits).
 using StackEntry = std::uint64_t;
 
+/// By addresses as numbers: a leaf of the scene's tree is a placement, and there may be no blocks.
 [[gnu::always_inline]] inline void prefetch(const Tree& tree, std::uint32_t child) {
-  const char* data = Child::is_leaf(child)
-                         ? reinterpret_cast<const char*>(tree.blocks.data() + Child::first(child))
-                         : reinterpret_cast<const char*>(tree.nodes.data() + child);
-  __builtin_prefetch(data);
-  __builtin_prefetch(data + 64);
-  __builtin_prefetch(data + 128);
-  __builtin_prefetch(data + 192);
+  const std::uintptr_t address = Child::is_leaf(child)
+                                     ? reinterpret_cast<std::uintptr_t>(tree.blocks.data()) +
+                                           Child::first(child) * sizeof(*tree.blocks.data())
+                                     : reinterpret_cast<std::uintptr_t>(tree.nodes.data()) +
+                                           child * sizeof(*tree.nodes.data());
+  for (const std::uintptr_t line : {0, 64, 128, 192}) {
+    __builtin_prefetch(reinterpret_cast<const void*>(address + line));
+  }
 }
 
 [[gnu::always_inline]] inline StackEntry stack_entry(float t, std::uint32_t child) {
