@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/gltf/write_lines.h"
 
+#include "io/base64.h"
 #include "io/error.h"
 #include "io/write_whole_file.h"
 
@@ -95,23 +96,6 @@ Document make_document(std::span<const LineGroup> groups, const geometry::DVec3&
     json["nodes"].push_back({{"name", group.name}, {"mesh", number}});
   }
   return document;
-}
-
-std::string base64_encode(std::string_view bytes) {
-  constexpr std::string_view k_digits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::string_view group = bytes.substr(i, 3);
-    std::uint32_t bits = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      bits = (bits << 8) | (k < group.size() ? static_cast<unsigned char>(group[k]) : 0u);
-    }
-    for (std::size_t k = 0; k < 4; ++k) {
-      text += k <= group.size() ? k_digits[(bits >> (18 - 6 * k)) & 63u] : '=';
-    }
-  }
-  return text;
 }
 
 std::string dump(const Json& json) {

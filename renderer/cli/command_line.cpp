@@ -28,6 +28,8 @@ Examples:
   lume render helmet.glb -o helmet.exr --spp 256        scene-linear, less noise
   lume trace helmet.glb --pixel 640,360                 why a pixel has its colour
   lume bench helmet.glb                                 which structure is fastest
+  lume compare out.png golden.png                       is it the same picture
+  lume test manifest.toml                               do many pictures look as they did
   lume info helmet.glb                                  what the file holds
   lume render --help                                    everything a render can be told
 )";
@@ -143,8 +145,10 @@ ExitCode run_command_line(const std::vector<std::string>& arguments) {
 
   const std::vector<std::string> after(arguments.begin() + (arguments.empty() ? 0 : 1),
                                        arguments.end());
-  const std::vector<Command> commands = {add_render_command(main, after), add_trace_command(main),
-                                         add_bench_command(main, after), add_info_command(main)};
+  const std::vector<Command> commands = {
+      add_render_command(main, after), add_trace_command(main),
+      add_bench_command(main, after),  add_compare_command(main, after),
+      add_test_command(main, after),   add_info_command(main)};
   for (const Command& command : commands) command.app->allow_extras();
   main.footer(std::string(k_footer));  // last, for subcommands inherit what there is before them
 

@@ -24,6 +24,10 @@ struct Command {
 [[nodiscard]] Command add_trace_command(CLI::App& parent);
 /// `arguments` is the command line after `lume bench`, which reports quote.
 [[nodiscard]] Command add_bench_command(CLI::App& parent, std::vector<std::string> arguments);
+/// `arguments` is the command line after `lume compare`, which the page quotes.
+[[nodiscard]] Command add_compare_command(CLI::App& parent, std::vector<std::string> arguments);
+/// `arguments` is the command line after `lume test`, which reports quote.
+[[nodiscard]] Command add_test_command(CLI::App& parent, std::vector<std::string> arguments);
 [[nodiscard]] Command add_info_command(CLI::App& parent);
 
 }  // namespace lume::cli

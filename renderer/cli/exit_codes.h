@@ -8,12 +8,18 @@ namespace lume::cli {
 /// What `lume` tells the shell. Scripts depend on these numbers; they never change meaning.
 enum class ExitCode {
   success = 0,
-  internal = 1,      ///< out of memory, or a defect of Lume
+  differs = 1,       ///< images differ, an image test failed
   usage = 2,         ///< the command line is wrong; nothing was done
   scene = 3,         ///< the scene's content is wrong or not supported
   input_output = 4,  ///< a file cannot be read or written
-  non_finite = 6,    ///< the pictures are written, but some samples were infinite or NaN
+  size = 5,          ///< images of different size are not compared
+  non_finite = 6,    ///< infinite or NaN: samples of the pictures that were written, or values of
+                     ///< images that are not compared for it
   disagreement = 7,  ///< structures that should give the same answers do not
+  channels = 8,      ///< images of different channels are not compared
+  data_window = 9,   ///< nor are those of different data windows
+  internal = 70,     ///< out of memory, or a defect of Lume
+  skipped = 77,      ///< no test ran
   interrupted = 130  ///< stopped by SIGINT or SIGTERM; what was done is written
 };
 

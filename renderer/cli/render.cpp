@@ -1,25 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // `lume render`: from a scene's file to pictures.
-#include "renderer/render.h"
-
 #include "geometry/parallel.h"
 #include "renderer/cli/commands.h"
-#include "renderer/cli/counting.h"
 #include "renderer/cli/interrupt.h"
 #include "renderer/cli/output_name.h"
-#include "renderer/cli/picture.h"
 #include "renderer/cli/progress.h"
 #include "renderer/cli/render_options.h"
+#include "renderer/cli/render_setup.h"
 #include "renderer/cli/render_stats.h"
 #include "renderer/cli/replay.h"
 #include "renderer/cli/text.h"
-#include "renderer/cli/view.h"
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -28,61 +23,14 @@ namespace {
 
 constexpr int k_single_frame = 1;
 
-/// Everything that could fail at the end is tried at the beginning.
-io::WriteOptions prepare_outputs(const RenderOptions& options) {
-  for (const std::string& output : options.outputs) {
-    io::check_writable(frame_path(output, k_single_frame));
-  }
-  if (options.stats) check_text_writable(*options.stats);
-
-  io::WriteOptions write;
-  const bool any_display =
-      std::any_of(options.outputs.begin(), options.outputs.end(),
-                  [](const auto& output) { return is_display_format(output); });
-  const bool asked = !options.display.empty() || !options.view.empty() || !options.ocio.empty();
-  // A broken $OCIO is no reason not to write scene-linear files.
-  if (any_display || asked) {
-    write.view = io::ViewTransform({options.ocio, options.display, options.view});
-  }
-  write.exposure = options.exposure;
-  write.full_float = options.full_float;
-  write.compression = options.compression;
-  write.jpeg_quality = options.jpeg_quality;
-  return write;
-}
-
-renderer::RenderSettings render_settings(const RenderOptions& options, const ImageSize& size) {
-  renderer::RenderSettings settings{
-      pixel_settings(options, size), choose_region(options.crop, size), {}};
-  for (const renderer::AovInfo& info : renderer::aov_infos()) {
-    const bool asked =
-        std::find(options.aovs.begin(), options.aovs.end(), info.name) != options.aovs.end();
-    if (asked) settings.aovs.push_back(info.aov);
-  }
-  return settings;
-}
-
-/// Whether the accelerator can tell what is asked of it is known once it is built.
-void check_cost_aovs(const RenderOptions& options, const renderer::RenderSettings& settings,
-                     const renderer::PreparedScene& prepared) {
-  const auto asked = std::find_if(settings.aovs.begin(), settings.aovs.end(), renderer::is_of_cost);
-  if (asked != settings.aovs.end()) {
-    check_counts_cost("--aov", options.accelerator, prepared.accelerator());
-  }
-}
-
-renderer::RenderResult trace(const renderer::PreparedScene& prepared, const RenderOptions& options,
-                             const renderer::RenderSettings& settings,
-                             const geometry::Camera& camera) {
-  const auto integrator =
-      renderer::make_integrator(options.integrator, prepared, integrator_settings(options));
+renderer::RenderResult trace_watched(const RenderSetup& setup, const RenderOptions& options) {
   Progress progress(stderr, options.verbosity == Verbosity::quiet ? Progress::Style::none
                                                                   : Progress::style_for(stderr));
   const Stopwatch watch;
   renderer::RenderControl control;
   control.on_progress = [&](double fraction) { progress.update(fraction, watch.elapsed()); };
   control.cancel = &InterruptGuard::flag();
-  return renderer::render_image(prepared, camera, *integrator, settings, control);
+  return trace(setup, options, control);
 }
 
 void write_pictures(const RenderOptions& options, const io::WriteOptions& write,
@@ -94,12 +42,13 @@ void write_pictures(const RenderOptions& options, const io::WriteOptions& write,
   }
 }
 
-void log_plan(const RenderOptions& options, const Viewpoint& viewpoint,
-              const shading::PixelRegion& region, const std::string& light, unsigned threads) {
+void log_plan(const RenderOptions& options, const RenderSetup& setup, unsigned threads) {
+  const Viewpoint& viewpoint = setup.viewpoint;
+  const shading::PixelRegion& region = setup.settings.region;
   const std::string part = options.crop ? fmt::format(" (of it {}x{}+{}+{})", region.width,
                                                       region.height, region.x, region.y)
                                         : "";
-  spdlog::info("camera: {}; light: {}", viewpoint.camera.description, light);
+  spdlog::info("camera: {}; light: {}", viewpoint.camera.description, setup.light);
   spdlog::info("{}x{} pixels{}, {} samples each, {} on {}, {} thread{}", viewpoint.size.width,
                viewpoint.size.height, part, options.spp, options.integrator, options.accelerator,
                threads, threads == 1 ? "" : "s");
@@ -149,43 +98,36 @@ ExitCode run_render(const RenderOptions& options) {
 
   RenderStats stats;
   Stopwatch watch;
-  io::LoadedScene loaded = load_scene(options);
-  Viewpoint viewpoint = choose_viewpoint(loaded.scene, options);
-  const renderer::RenderSettings settings = render_settings(options, viewpoint.size);
-  const std::string light = light_scene(options, loaded.scene);
+  RenderSetup setup;
+  load(setup, options);
   stats.load_seconds = watch.lap();
 
-  renderer::PreparedScene prepared(loaded.scene, options.accelerator);
-  check_cost_aovs(options, settings, prepared);
+  build(setup, options);
   stats.build_seconds = watch.lap();
   if (InterruptGuard::flag()) {
     spdlog::warn("interrupted before there was a picture; nothing is written");
     return ExitCode::interrupted;
   }
 
-  if (loaded.scene.world.instances.empty()) {
+  if (setup.loaded.scene.world.instances.empty()) {
     spdlog::warn("{} has no surfaces to show; only the backdrop is rendered",
                  printable(options.scene_file));
   }
-  focus(viewpoint, options, prepared);
-  prepared.prepare_view(viewpoint.camera.camera, viewpoint.size.width, viewpoint.size.height);
-  log_unsampled_emitters(loaded.scene);
-  log_plan(options, viewpoint, settings.region, light, limit.threads());
-  renderer::RenderResult result = trace(prepared, options, settings, viewpoint.camera.camera);
+  aim(setup, options);
+  log_unsampled_emitters(setup.loaded.scene);
+  log_plan(options, setup, limit.threads());
+  renderer::RenderResult result = trace_watched(setup, options);
   stats.render_seconds = watch.lap();
 
-  io::Picture picture = make_picture(std::move(result.film), viewpoint.size, options.full_float);
-  picture.metadata = describe_picture(options, viewpoint.camera.description, write.view);
-  if (result.cancelled) picture.metadata["lume:incomplete"] = "interrupted";
-  picture.world_to_camera = world_to_camera(viewpoint.camera.camera, loaded.scene.origin);
+  const io::Picture picture = develop(setup, options, result, write);
   write_pictures(options, write, picture);
   stats.write_seconds = watch.lap();
 
   stats.rays = result.rays;
   stats.non_finite_samples = result.non_finite.count;
   stats.threads = limit.threads();
-  stats.width = viewpoint.size.width;
-  stats.height = viewpoint.size.height;
+  stats.width = setup.viewpoint.size.width;
+  stats.height = setup.viewpoint.size.height;
   stats.interrupted = result.cancelled;
   log_stats(stats);
   if (options.stats) write_text(*options.stats, stats_to_json(stats, options));
