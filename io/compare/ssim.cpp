@@ -33,9 +33,9 @@ double luma(const shading::Color& c) {
 
 std::array<double, 2 * k_radius + 1> window() {
   std::array<double, 2 * k_radius + 1> weights{};
-  for (int i = -k_radius; i <= k_radius; ++i) {
-    weights[static_cast<std::size_t>(i + k_radius)] =
-        std::exp(-0.5 * i * i / (k_deviation * k_deviation));
+  for (std::size_t k = 0; k < weights.size(); ++k) {
+    const double distance = (static_cast<double>(k) - k_radius) / k_deviation;
+    weights[k] = std::exp(-0.5 * distance * distance);
   }
   const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
   for (double& weight : weights) weight /= sum;
@@ -73,12 +73,11 @@ double ssim(const RgbImage& actual, const RgbImage& expected) {
     }
     for (std::size_t x = 0; x < width; ++x) {
       std::array<double, k_moments> sum{};
-      for (int k = -k_radius; k <= k_radius; ++k) {
-        const double weight = weights[static_cast<std::size_t>(k + k_radius)];
-        const std::size_t at = mirrored(static_cast<int>(x) + k, actual.width);
+      for (std::size_t k = 0; k < weights.size(); ++k) {
+        const std::size_t at = mirrored(static_cast<int>(x + k) - k_radius, actual.width);
         const std::array<double, k_moments> moments = {a[at], e[at], a[at] * a[at], e[at] * e[at],
                                                        a[at] * e[at]};
-        for (std::size_t m = 0; m < k_moments; ++m) sum[m] += weight * moments[m];
+        for (std::size_t m = 0; m < k_moments; ++m) sum[m] += weights[k] * moments[m];
       }
       for (std::size_t m = 0; m < k_moments; ++m) across[m][y * width + x] = sum[m];
     }
@@ -88,10 +87,10 @@ double ssim(const RgbImage& actual, const RgbImage& expected) {
   geometry::parallel_for(height, [&](std::size_t y) {
     for (std::size_t x = 0; x < width; ++x) {
       std::array<double, k_moments> sum{};
-      for (int k = -k_radius; k <= k_radius; ++k) {
-        const double weight = weights[static_cast<std::size_t>(k + k_radius)];
-        const std::size_t at = mirrored(static_cast<int>(y) + k, actual.height) * width + x;
-        for (std::size_t m = 0; m < k_moments; ++m) sum[m] += weight * across[m][at];
+      for (std::size_t k = 0; k < weights.size(); ++k) {
+        const std::size_t at =
+            mirrored(static_cast<int>(y + k) - k_radius, actual.height) * width + x;
+        for (std::size_t m = 0; m < k_moments; ++m) sum[m] += weights[k] * across[m][at];
       }
       rows[y] += similarity(sum);
     }

@@ -95,10 +95,17 @@ io::StatisticalResult test_statistically(io::ImageFile& actual, io::ImageFile& e
   return io::test_stacks(actual_stack, expected_stack, settings);
 }
 
-/// Only the first of a side's images: all are alike, or it is no stack.
-io::RefusalReason find_first_refusal(const io::ImageFile& actual, const io::ImageFile& expected) {
-  return io::find_refusal({actual.path, {actual.images.front()}},
-                          {expected.path, {expected.images.front()}});
+/// Every image of either side is held against the first that is expected.
+io::RefusalReason find_refusal_of_seeds(const io::ImageFile& actual,
+                                        const io::ImageFile& expected) {
+  const io::ImageFile first{expected.path, {expected.images.front()}};
+  for (const io::ImageFile* side : {&actual, &expected}) {
+    for (const io::ChannelImage& image : side->images) {
+      io::RefusalReason reason = io::find_refusal({side->path, {image}}, first);
+      if (reason.refusal != io::Refusal::none) return reason;
+    }
+  }
+  return {};
 }
 
 CompareDocument compare(const CompareOptions& options) {
@@ -108,7 +115,7 @@ CompareDocument compare(const CompareOptions& options) {
                            {},
                            {}};
   if (options.is_statistical()) {
-    io::RefusalReason reason = find_first_refusal(document.actual, document.expected);
+    io::RefusalReason reason = find_refusal_of_seeds(document.actual, document.expected);
     if (reason.refusal != io::Refusal::none) {
       document.comparison.refusal = reason.refusal;
       document.comparison.message = std::move(reason.message);

@@ -88,7 +88,7 @@ TEST_F(ChannelImages, ExrWithLayersAndWindow_IsReadByName) {
 TEST_F(ChannelImages, PartsOfAnExr_AreImagesWithNames) {
   OIIO::ImageSpec first(2, 2, 3, OIIO::TypeDesc::FLOAT);
   first.attribute("oiio:subimagename", "beauty");
-  OIIO::ImageSpec second(3, 2, 1, OIIO::TypeDesc::FLOAT);
+  OIIO::ImageSpec second(2, 2, 1, OIIO::TypeDesc::FLOAT);
   second.channelnames = {"Z"};
   second.attribute("oiio:subimagename", "depth");
   write("parts.exr", {first, second}, 1.0f);
@@ -96,7 +96,7 @@ TEST_F(ChannelImages, PartsOfAnExr_AreImagesWithNames) {
   ASSERT_EQ(file.images.size(), 2u);
   EXPECT_EQ(file.images[0].name, "beauty");
   EXPECT_EQ(file.images[1].name, "depth");
-  EXPECT_THAT(file.images[1].planes[0], ElementsAre(0, 1, 2, 3, 4, 5));
+  EXPECT_THAT(file.images[1].planes[0], ElementsAre(0, 1, 2, 3));
 }
 
 TEST_F(ChannelImages, SixteenBitPng_IsNormalizedAndDisplayReferred) {

@@ -36,15 +36,36 @@ TEST(PixelMetrics, ConstantOffset_HasClosedForms) {
   EXPECT_DOUBLE_EQ(metrics.max, 0.25);
   EXPECT_DOUBLE_EQ(metrics.mae, 0.25);
   EXPECT_DOUBLE_EQ(metrics.rmse, 0.25);
-  EXPECT_DOUBLE_EQ(metrics.relmse, 0.0625 / 0.26);
+  EXPECT_NEAR(metrics.relmse, 0.0625 / 0.26, 1e-13);  // the only sum here that is rounded
   EXPECT_DOUBLE_EQ(metrics.psnr, 20.0 * std::log10(4.0));
   EXPECT_DOUBLE_EQ(metrics.outliers, 1.0);
 }
 
 TEST(PixelMetrics, Outliers_AreThoseBeyondOneFiveHundredth) {
   const Plane expected = {1.0f, 1.0f, 0.0f, 0.0f, -2.0f};
-  const Plane actual = {1.0019f, 1.0021f, 1.9e-5f, 2.1e-5f, -2.0039f};
+  const Plane actual = {1.00199f, 1.00201f, 1.99e-5f, 2.01e-5f, -2.00399f};
   EXPECT_DOUBLE_EQ(measure_one(actual, expected).outliers, 0.4);
+}
+
+// Within a plane, from one plane to the next, and where sums are taken in parts.
+TEST(PixelMetrics, EqualDifferences_TheFirstIsTheWorst) {
+  const std::size_t length = 200000;
+  const std::vector<Plane> expected(3, Plane(length, 1.0f));
+  std::vector<Plane> actual = expected;
+  actual[1][150000] = 3.0f;
+  actual[1][150001] = -1.0f;
+  actual[1][length - 1] = 3.0f;
+  actual[2][0] = 3.0f;
+  std::vector<const Plane*> a;
+  std::vector<const Plane*> e;
+  for (std::size_t p = 0; p < actual.size(); ++p) {
+    a.push_back(&actual[p]);
+    e.push_back(&expected[p]);
+  }
+  const PixelMetrics metrics = measure(a, e);
+  EXPECT_EQ(metrics.max, 2.0);
+  EXPECT_EQ(metrics.worst_plane, 1u);
+  EXPECT_EQ(metrics.worst_index, 150000u);
 }
 
 /// The formulas in extended precision, one value after the other.

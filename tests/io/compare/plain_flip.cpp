@@ -5,14 +5,25 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <utility>
 
 namespace lume::tests {
 namespace {
 
 using Rgb = std::array<double, 3>;
-/// A function of where in the picture, which goes on beyond its border.
-using Field = std::function<double(int x, int y)>;
+
+/// Values of a picture that goes on with its edge.
+struct Channel {
+  int width = 0;
+  int height = 0;
+  std::vector<double> values;
+
+  [[nodiscard]] double at(int x, int y) const {
+    const int inside_x = std::clamp(x, 0, width - 1);
+    const int inside_y = std::clamp(y, 0, height - 1);
+    return values[static_cast<std::size_t>(inside_y) * static_cast<std::size_t>(width) +
+                  static_cast<std::size_t>(inside_x)];
+  }
+};
 
 constexpr double k_pi = 3.141592653589793;
 // White in XYZ, as the sums of the matrix's rows.
@@ -66,17 +77,17 @@ struct Filter {
   int radius = 0;
   std::vector<double> weights;
 
-  Filter(int r, const Field& weight) : radius(r) {
+  Filter(int r, const std::function<double(int x, int y)>& weight) : radius(r) {
     for (int y = -r; y <= r; ++y) {
       for (int x = -r; x <= r; ++x) weights.push_back(weight(x, y));
     }
   }
 
-  [[nodiscard]] double apply(const Field& field, int x, int y) const {
+  [[nodiscard]] double apply(const Channel& channel, int x, int y) const {
     double sum = 0.0;
     const double* weight = weights.data();
     for (int dy = -radius; dy <= radius; ++dy) {
-      for (int dx = -radius; dx <= radius; ++dx) sum += *weight++ * field(x + dx, y + dy);
+      for (int dx = -radius; dx <= radius; ++dx) sum += *weight++ * channel.at(x + dx, y + dy);
     }
     return sum;
   }
@@ -122,23 +133,22 @@ struct Seen {
   std::vector<double> points;
 };
 
-/// The luminance or another channel of YCxCz of a picture that goes on with its edge.
-Field channel_of(const io::RgbImage& image, std::size_t channel) {
-  std::vector<double> values;
+/// A channel of YCxCz.
+Channel channel_of(const io::RgbImage& image, std::size_t index) {
+  Channel channel{image.width, image.height, {}};
   for (const auto& c : image.pixels) {
     const auto clamp = [](float v) { return std::clamp(static_cast<double>(v), 0.0, 1.0); };
-    values.push_back(ycxcz_from_linear({clamp(c.x), clamp(c.y), clamp(c.z)})[channel]);
+    channel.values.push_back(ycxcz_from_linear({clamp(c.x), clamp(c.y), clamp(c.z)})[index]);
   }
-  return [values = std::move(values), w = image.width, h = image.height](int x, int y) {
-    return values[static_cast<std::size_t>(std::clamp(y, 0, h - 1) * w + std::clamp(x, 0, w - 1))];
-  };
+  return channel;
 }
 
 Seen see(const io::RgbImage& image, double ppd) {
-  const Field y = channel_of(image, 0);
-  const Field cx = channel_of(image, 1);
-  const Field cz = channel_of(image, 2);
-  const Field luminance = [&y](int px, int py) { return (y(px, py) + 16) / 116; };
+  const Channel y = channel_of(image, 0);
+  const Channel cx = channel_of(image, 1);
+  const Channel cz = channel_of(image, 2);
+  Channel luminance = y;
+  for (double& value : luminance.values) value = (value + 16) / 116;
   const std::array<Filter, 3> eye = {sensitivity(1, 0.0047, 0, 1e-5, ppd),
                                      sensitivity(1, 0.0053, 0, 1e-5, ppd),
                                      sensitivity(34.1, 0.04, 13.5, 0.025, ppd)};
