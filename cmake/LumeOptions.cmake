@@ -21,6 +21,14 @@ if(LUME_SANITIZE)
   add_link_options(-fsanitize=${LUME_SANITIZE})
 endif()
 
+# For what is not on the path of a ray, tests and the command line: instrumented code takes the compiler
+# twice as long when it is optimised at all.
+if(LUME_SANITIZE)
+  set(LUME_QUICKLY_COMPILED -O0)
+else()
+  set(LUME_QUICKLY_COMPILED -O1)
+endif()
+
 # ccache understands precompiled headers only when told so (ccache manual, "Precompiled headers").
 find_program(LUME_CCACHE ccache)
 mark_as_advanced(LUME_CCACHE)

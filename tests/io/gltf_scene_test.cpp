@@ -28,7 +28,7 @@ LoadedScene load(const GltfFile& file, const LoadOptions& options = {}) {
 /// The triangle file with one node at its place.
 GltfFile with_node(const nlohmann::json& node) {
   GltfFile file = test::triangle_file();
-  file.json["nodes"] = {node};
+  file.json["nodes"] = nlohmann::json::array({node});
   file.json["scenes"] = {{{"nodes", {0}}}};
   return file;
 }

@@ -26,7 +26,7 @@ TEST_P(GltfShapeGuard, BadShape_IsSceneErrorWithPointerInEitherArray) {
   test::expect_scene_error(test::shape_file(shape), k_shapes + "/0" + GetParam().pointer);
   nlohmann::json json = test::shape_file(nullptr);
   json.erase("extensions");
-  json["shapes"] = {shape};
+  json["shapes"] = nlohmann::json::array({shape});
   test::expect_scene_error(json, std::string("/shapes/0") + GetParam().pointer);
 }
 
