@@ -196,7 +196,7 @@ TEST(GltfShape, CoreArray_IsReadLikeTheExtension) {
   nlohmann::json json = test::shape_file(nullptr);
   json["asset"]["version"] = "2.1";
   json.erase("extensions");
-  json["shapes"] = {test::shape_of("sphere", {{"radius", 3}})};
+  json["shapes"] = nlohmann::json::array({test::shape_of("sphere", {{"radius", 3}})});
   const LoadedScene loaded = test::load_json(json);
   EXPECT_EQ(std::get<geometry::Sphere>(*first_geometry(loaded).shape()).radius, 3.0);
   EXPECT_THAT(loaded.notes, IsEmpty());
@@ -204,7 +204,7 @@ TEST(GltfShape, CoreArray_IsReadLikeTheExtension) {
 
 TEST(GltfShape, BothArrays_TheExtensionsCounts) {
   nlohmann::json json = test::shape_file(test::shape_of("sphere", {{"radius", 3}}));
-  json["shapes"] = {{{"type", "box"}}};
+  json["shapes"] = nlohmann::json::array({{{"type", "box"}}});
   const LoadedScene loaded = test::load_json(json);
   EXPECT_NE(std::get_if<geometry::Sphere>(first_geometry(loaded).shape()), nullptr);
   EXPECT_THAT(loaded.notes, ElementsAre(HasSubstr("KHR_implicit_shapes")));
