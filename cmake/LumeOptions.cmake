@@ -3,6 +3,7 @@
 
 option(LUME_BUILD_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
 option(LUME_BUILD_BENCHMARKS "Build the benchmarks, which need Google Benchmark" OFF)
+option(LUME_BUILD_FUZZERS "Build the fuzzers, which need clang++" OFF)
 option(LUME_NATIVE "Compile for this very machine instead of x86-64-v2" OFF)
 option(LUME_STD_THREADS "Parallel loops on std::thread instead of oneTBB, for ThreadSanitizer" OFF)
 option(LUME_WERROR "Treat warnings as errors" OFF)

@@ -20,12 +20,21 @@ class Error : public std::runtime_error {
   Error(ErrorKind kind, const std::string& path, const std::string& pointer,
         const std::string& reason)
       : std::runtime_error(path + (pointer.empty() ? "" : " at " + pointer) + ": " + reason),
-        kind_(kind) {}
+        kind_(kind),
+        path_(path),
+        pointer_(pointer),
+        reason_(reason) {}
 
   [[nodiscard]] ErrorKind kind() const { return kind_; }
+  [[nodiscard]] const std::string& path() const { return path_; }
+  [[nodiscard]] const std::string& pointer() const { return pointer_; }
+  [[nodiscard]] const std::string& reason() const { return reason_; }
 
  private:
   ErrorKind kind_;
+  std::string path_;
+  std::string pointer_;
+  std::string reason_;
 };
 
 }  // namespace lume::io

@@ -18,15 +18,15 @@ namespace lume::io {
 /// What the metrics may be at most (PSNR and SSIM: at least). Without any, not one value may
 /// differ. Those of pixels hold for each group of channels, SSIM and FLIP for the colour.
 struct CompareLimits {
-  std::optional<double> max;       ///< largest absolute difference
-  std::optional<double> mae;       ///< mean absolute difference
-  std::optional<double> rmse;      ///< root of the mean squared difference
-  std::optional<double> relmse;    ///< mean of squared relative differences
-  std::optional<double> outliers;  ///< share of values far from what is expected
-  std::optional<double> psnr;      ///< dB
-  std::optional<double> ssim;
-  std::optional<double> flip;      ///< mean
-  std::optional<double> flip_max;  ///< of the worst pixel
+  std::optional<double> max = std::nullopt;       ///< largest absolute difference
+  std::optional<double> mae = std::nullopt;       ///< mean absolute difference
+  std::optional<double> rmse = std::nullopt;      ///< root of the mean squared difference
+  std::optional<double> relmse = std::nullopt;    ///< mean of squared relative differences
+  std::optional<double> outliers = std::nullopt;  ///< share of values far from what is expected
+  std::optional<double> psnr = std::nullopt;      ///< dB
+  std::optional<double> ssim = std::nullopt;
+  std::optional<double> flip = std::nullopt;      ///< mean
+  std::optional<double> flip_max = std::nullopt;  ///< of the worst pixel
 
   [[nodiscard]] bool any() const;
 };

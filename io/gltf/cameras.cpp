@@ -30,16 +30,29 @@ double magnification(const JsonView& orthographic, std::string_view key) {
   return result;
 }
 
+/// Lume clips nothing, but planes that contradict each other point to a mistake.
+void check_clipping(const JsonView& projection, const Range& near_range) {
+  const double near = projection.number_or("znear", 0.0, near_range);
+  if (const auto far = projection.find("zfar"); far && !(far->number(k_positive) > near)) {
+    far->fail(fmt::format("is {:g}, expected more than znear, {:g}", far->number(), near));
+  }
+}
+
 Camera read_camera(const JsonView& json) {
   Camera camera;
   camera.name = json.text_or("name", "");
   const JsonView type = json.require("type");
+  if (json.has("perspective") && json.has("orthographic")) {
+    json.fail("has both 'perspective' and 'orthographic', expected the one that its type names");
+  }
   if (type.text() == "perspective") {
     const JsonView perspective = json.require("perspective");
+    check_clipping(perspective, k_positive);
     camera.vertical_fov = to_float(perspective.require("yfov").number(k_half_turn));
     camera.aspect = to_float(perspective.number_or("aspectRatio", 0.0, k_not_negative));
   } else if (type.text() == "orthographic") {
     const JsonView orthographic = json.require("orthographic");
+    check_clipping(orthographic, k_not_negative);
     const double x = magnification(orthographic, "xmag");
     const double y = magnification(orthographic, "ymag");
     camera.projection = Camera::Projection::orthographic;

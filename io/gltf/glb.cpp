@@ -73,11 +73,17 @@ Chunks split_glb(Bytes file, const std::string& path) {
     throw Error(ErrorKind::scene, path, "", "the first GLB chunk is not JSON, as it must be");
   }
   Chunks result{json.data, std::nullopt};
-  if (json.next < content.size()) {
-    const Chunk binary = read_chunk(content, json.next, path);
-    if (binary.type == k_binary_chunk) {
-      result.binary = binary.data;
+  for (std::size_t next = json.next; next < content.size();) {
+    const Chunk chunk = read_chunk(content, next, path);
+    if (chunk.type == k_json_chunk || (chunk.type == k_binary_chunk && result.binary)) {
+      throw Error(
+          ErrorKind::scene, path, "",
+          fmt::format("the GLB chunk at byte {} is the second of its type, expected one", next));
     }
+    if (chunk.type == k_binary_chunk && next == json.next) {
+      result.binary = chunk.data;
+    }
+    next = chunk.next;
   }
   return result;
 }

@@ -31,6 +31,7 @@ Examples:
   lume compare out.png golden.png                       is it the same picture
   lume test manifest.toml                               do many pictures look as they did
   lume info helmet.glb                                  what the file holds
+  lume check helmet.glb                                 what may be wrong with it
   lume render --help                                    everything a render can be told
 )";
 
@@ -148,7 +149,8 @@ ExitCode run_command_line(const std::vector<std::string>& arguments) {
   const std::vector<Command> commands = {
       add_render_command(main, after), add_trace_command(main),
       add_bench_command(main, after),  add_compare_command(main, after),
-      add_test_command(main, after),   add_info_command(main)};
+      add_test_command(main, after),   add_info_command(main),
+      add_check_command(main)};
   for (const Command& command : commands) command.app->allow_extras();
   main.footer(std::string(k_footer));  // last, for subcommands inherit what there is before them
 

@@ -29,5 +29,6 @@ struct Command {
 /// `arguments` is the command line after `lume test`, which reports quote.
 [[nodiscard]] Command add_test_command(CLI::App& parent, std::vector<std::string> arguments);
 [[nodiscard]] Command add_info_command(CLI::App& parent);
+[[nodiscard]] Command add_check_command(CLI::App& parent);
 
 }  // namespace lume::cli

@@ -8,7 +8,7 @@ namespace lume::cli {
 /// What `lume` tells the shell. Scripts depend on these numbers; they never change meaning.
 enum class ExitCode {
   success = 0,
-  differs = 1,       ///< images differ, an image test failed
+  differs = 1,       ///< images differ, an image test failed, a check found what it was to fail on
   usage = 2,         ///< the command line is wrong; nothing was done
   scene = 3,         ///< the scene's content is wrong or not supported
   input_output = 4,  ///< a file cannot be read or written

@@ -53,6 +53,16 @@ TEST(GltfContainer, GlbLengthLies_AreSceneErrors) {
   EXPECT_EQ(error_of_content(with_u32(glb, 16, 0)).front(), '3');  // type of the first chunk
 }
 
+TEST(GltfContainer, GlbWithASecondChunkOfAType_IsSceneErrorAndAnUnknownOneIsNot) {
+  const auto with_chunk = [](const std::string& type) {
+    std::string glb = test::triangle_file().to_glb() + std::string("\4\0\0\0", 4) + type + "abcd";
+    return with_u32(glb, 8, static_cast<std::uint32_t>(glb.size()));
+  };
+  EXPECT_EQ(error_of_content(with_chunk("JSON")).front(), '3');
+  EXPECT_EQ(error_of_content(with_chunk(std::string("BIN\0", 4))).front(), '3');
+  EXPECT_EQ(error_of_content(with_chunk("ACME")), "no error");
+}
+
 TEST(GltfContainer, GlbCutAnywhere_IsSceneError) {
   const std::string glb = test::triangle_file().to_glb();
   for (std::size_t size = 0; size < glb.size(); size += 7) {

@@ -57,6 +57,13 @@ constexpr Case k_node_cases[] = {
 constexpr Case k_camera_and_light_cases[] = {
     {"CameraType", R"([{"op":"replace","path":"/cameras/0/type","value":"fisheye"}])",
      "/cameras/0/type"},
+    {"CameraOfBothTypes",
+     R"([{"op":"add","path":"/cameras/0/orthographic","value":{"xmag":1,"ymag":1}}])",
+     "/cameras/0"},
+    {"NearPlaneZero", R"([{"op":"replace","path":"/cameras/0/perspective/znear","value":0}])",
+     "/cameras/0/perspective/znear"},
+    {"FarPlaneBeforeNear", R"([{"op":"add","path":"/cameras/0/perspective/zfar","value":0.1}])",
+     "/cameras/0/perspective/zfar"},
     {"NoPerspective", R"([{"op":"remove","path":"/cameras/0/perspective"}])", "/cameras/0"},
     {"FieldOfViewZero", R"([{"op":"replace","path":"/cameras/0/perspective/yfov","value":0}])",
      "/cameras/0/perspective/yfov"},

@@ -4,6 +4,7 @@
 #include "geometry/refine.h"
 #include "renderer/emitters.h"
 #include "tests/renderer/lamp.h"
+#include "tests/support/cases.h"
 #include "tests/support/chi_squared.h"
 
 #include <gtest/gtest.h>
@@ -51,8 +52,9 @@ double traced_pdf(const Scene& scene, const Emitters& emitters, const Vec3& from
 /// Directions from `from` against the density that tracing them finds, in the smallest cap around
 /// their mean that holds them all.
 void expect_density(const Scene& scene, const Vec3& from) {
-  constexpr int k_samples = 40000;
-  constexpr int k_steps = 60;  // fine, because the density ends abruptly at the shape's outline
+  constexpr int k_samples = test::cases(40000);
+  constexpr int k_steps =
+      LUME_SANITIZED ? 30 : 60;  // fine, because the density ends abruptly at the shape's outline
   const Emitters emitters(scene);
   Random random(3);
   std::vector<DVec3> directions;

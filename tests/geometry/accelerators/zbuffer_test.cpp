@@ -69,10 +69,10 @@ int expect_same_picture(const World& world, const HoleTest* holes, const Camera&
 TEST(ZBuffer, MixedWorlds_AreSeenAsByRays) {
   Random random(1);
   int hits = 0;
-  for (int round = 0; round < 40 && !HasFailure(); ++round) {
+  for (int round = 0; round < test::cases(40) && !HasFailure(); ++round) {
     const World world = test::mixed_world(random);
     SCOPED_TRACE(round);
-    hits += expect_same_picture(world, nullptr, random_camera(random), test::cases(800), random);
+    hits += expect_same_picture(world, nullptr, random_camera(random), 800, random);
   }
   EXPECT_GT(hits, test::cases(10000));
 }
@@ -84,11 +84,11 @@ TEST(ZBuffer, MixedWorlds_AreMetByAnyOtherRayToo) {
 TEST(ZBuffer, TiedWorlds_ShowTheLowestIdentity) {
   Random random(2);
   int hits = 0;
-  for (int round = 0; round < 40 && !HasFailure(); ++round) {
+  for (int round = 0; round < test::cases(40) && !HasFailure(); ++round) {
     const World world = test::tied_world(random);
     Camera camera = random_camera(random);
     if (random.below(2) == 0) camera = look_at({0.5f, 0.5f, 9.0f}, {0.5f, 0.5f, 0.0f}, 0.8f);
-    hits += expect_same_picture(world, nullptr, camera, test::cases(800), random);
+    hits += expect_same_picture(world, nullptr, camera, 800, random);
   }
   EXPECT_GT(hits, test::cases(3000));
 }
@@ -97,21 +97,22 @@ TEST(ZBuffer, Holes_ShowWhatIsBehind) {
   Random random(3);
   const test::HalfHoles holes;
   int hits = 0;
-  for (int round = 0; round < 30 && !HasFailure(); ++round) {
+  for (int round = 0; round < test::cases(30) && !HasFailure(); ++round) {
     World world = test::mixed_world(random);
     for (Object& object : world.objects) object.geometries[0].has_holes = true;
-    hits += expect_same_picture(world, &holes, random_camera(random), test::cases(800), random);
+    hits += expect_same_picture(world, &holes, random_camera(random), 800, random);
   }
   EXPECT_GT(hits, test::cases(4000));
 }
 
 TEST(ZBuffer, HardMeshes_AreSeenAsByRays) {
+  constexpr int k_rounds = LUME_SANITIZED ? 1 : 5;
   Random random(4);
   for (const test::HardMesh& hard : test::hard_meshes(random)) {
     SCOPED_TRACE(hard.name);
     World world;
     test::add_instance(world, hard.mesh);
-    for (int round = 0; round < 5 && !HasFailure(); ++round) {
+    for (int round = 0; round < k_rounds && !HasFailure(); ++round) {
       const float size = hard.reach / 12.0f;
       const Camera camera = random_camera(random, hard.middle, size);
       expect_same_picture(world, nullptr, camera, test::cases(600), random, hard.reach < 1e15f);
@@ -131,9 +132,9 @@ World closed_in(Random& random) {
 TEST(ZBuffer, CameraAmongTriangles_SeesThoseBeforeIt) {
   Random random(5);
   int hits = 0;
-  for (int round = 0; round < 40 && !HasFailure(); ++round) {
+  for (int round = 0; round < test::cases(40) && !HasFailure(); ++round) {
     const World world = closed_in(random);
-    hits += expect_same_picture(world, nullptr, random_camera(random), test::cases(500), random);
+    hits += expect_same_picture(world, nullptr, random_camera(random), 500, random);
   }
   EXPECT_GT(hits, test::cases(15000));
 }
@@ -141,7 +142,7 @@ TEST(ZBuffer, CameraAmongTriangles_SeesThoseBeforeIt) {
 TEST(ZBuffer, TrianglesOfLessThanAPixel_AreSeenAsByRays) {
   Random random(6);
   int hits = 0;
-  for (int round = 0; round < 10 && !HasFailure(); ++round) {
+  for (int round = 0; round < test::cases(10) && !HasFailure(); ++round) {
     World world;
     test::add_instance(world, test::sphere_mesh(60));  // 14,160 triangles in some 700 pixels
     Mesh needles = test::triangle_soup(random, 1000, 2.0f, 1.0f);
@@ -150,7 +151,7 @@ TEST(ZBuffer, TrianglesOfLessThanAPixel_AreSeenAsByRays) {
     }
     test::add_instance(world, needles);
     const Camera camera = look_at(4.0f * random.direction(), random.cube(0.5f), 0.8f);
-    hits += expect_same_picture(world, nullptr, camera, test::cases(300), random);
+    hits += expect_same_picture(world, nullptr, camera, 300, random);
   }
   EXPECT_GT(hits, test::cases(300));
 }
@@ -164,7 +165,7 @@ TEST(ZBuffer, ManyInstances_AreSeenAsByRays) {
   }
   int hits = 0;
   for (int round = 0; round < 4 && !HasFailure(); ++round) {
-    hits += expect_same_picture(world, nullptr, random_camera(random), test::cases(300), random);
+    hits += expect_same_picture(world, nullptr, random_camera(random), 300, random);
   }
   EXPECT_GT(hits, test::cases(100));
 }
