@@ -13,6 +13,8 @@ find_package(spdlog REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(ZLIB REQUIRED)
 find_package(pugixml REQUIRED)
+find_package(draco 1.5 REQUIRED)
+find_package(meshoptimizer 0.18 REQUIRED)
 
 # Debian's CMake files of OpenImageIO and OpenColorIO do not work: the first insists on programs and an
 # opencv that are in other packages, the second stands where find_package does not look and names

@@ -2,7 +2,9 @@
 #include "io/gltf/document.h"
 
 #include "io/error.h"
+#include "io/gltf/draco.h"
 #include "io/gltf/guards.h"
+#include "io/gltf/meshopt.h"
 #include "io/gltf/resources.h"
 
 #include <fmt/format.h>
@@ -52,7 +54,9 @@ tinygltf::Model parse_structure(const Document& document) {
   std::string warning;
   bool parsed = false;
   try {
-    const std::string text = structure_only(document.json).dump();
+    Json structure = structure_only(document.json);
+    hide_compressed_indices(structure);
+    const std::string text = structure.dump();
     if (text.size() > std::numeric_limits<unsigned int>::max()) {
       throw std::length_error("more than 4 GiB of JSON");
     }
@@ -94,11 +98,15 @@ Document open_document(const std::filesystem::path& path) {
   document.json = parse_json(chunks.json, document.file);
   check_document(document.root());
   const std::vector<JsonView> buffers = document.root().items("buffers");
+  const std::vector<bool> is_placeholder = find_placeholders(document.root());
   document.loaded.reserve(buffers.size());
-  for (const JsonView& buffer : buffers) {
-    document.buffers.push_back(load_buffer(document, buffer, chunks));
+  for (std::size_t i = 0; i < buffers.size(); ++i) {
+    document.buffers.push_back(is_placeholder[i] ? Bytes()
+                                                 : load_buffer(document, buffers[i], chunks));
   }
   document.model = parse_structure(document);
+  decode_meshopt_views(document);
+  decode_draco_primitives(document);
   return document;
 }
 

@@ -37,7 +37,9 @@ struct Document {
   std::string file;  ///< the path, as messages name it
   Json json;
   tinygltf::Model model;
-  std::vector<Bytes> buffers;  ///< by glTF buffer, exactly byteLength long
+  /// By glTF buffer, exactly byteLength long, or empty if nobody reads it. Behind them what was
+  /// compressed: `model` points there, with views and accessors that the JSON does not have.
+  std::vector<Bytes> buffers;
 
   std::vector<std::byte> content;              ///< of the file itself
   std::vector<std::vector<std::byte>> loaded;  ///< buffers that are not in the file

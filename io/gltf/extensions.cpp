@@ -13,10 +13,10 @@ namespace {
 
 constexpr auto k_known = std::to_array<KnownExtension>({
     {"EXT_mesh_gpu_instancing", Support::full, ""},
-    {"EXT_meshopt_compression", Support::ignored, "the uncompressed fallback is read", true},
+    {"EXT_meshopt_compression", Support::full, ""},
     {"EXT_texture_webp", Support::full, ""},
     {"KHR_animation_pointer", Support::ignored, "animations are not played"},
-    {"KHR_draco_mesh_compression", Support::ignored, "the uncompressed fallback is read", true},
+    {"KHR_draco_mesh_compression", Support::full, ""},
     {"KHR_implicit_shapes", Support::full, ""},
     {"KHR_lights_punctual", Support::full, ""},
     {"KHR_materials_anisotropy", Support::ignored, "highlights are round"},
@@ -36,8 +36,8 @@ constexpr auto k_known = std::to_array<KnownExtension>({
     {"KHR_materials_volume", Support::partial,
      "the thickness decides between solid and thin; its texture is not read"},
     {"KHR_mesh_quantization", Support::full, ""},
-    {"KHR_meshopt_compression", Support::ignored, "the uncompressed fallback is read", true},
-    {"KHR_node_visibility", Support::ignored, "hidden nodes are drawn"},
+    {"KHR_meshopt_compression", Support::full, ""},
+    {"KHR_node_visibility", Support::full, ""},
     {"KHR_texture_basisu", Support::partial, "only the PNG or JPEG fallback is read"},
     {"KHR_texture_transform", Support::full, ""},
     {"KHR_xmp_json_ld", Support::ignored, "the metadata are not kept"},

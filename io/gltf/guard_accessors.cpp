@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/gltf/component.h"
 #include "io/gltf/guards.h"
+#include "io/gltf/meshopt.h"
 
 #include <fmt/format.h>
+
+#include <set>
 
 namespace lume::io::gltf {
 namespace {
@@ -10,6 +13,8 @@ namespace {
 /// An accessor without a buffer view is all zeros, whatever its count: no bytes stand behind it.
 /// Such a count is believed up to this many elements (a quarter of a gigabyte at most).
 constexpr std::uint64_t k_max_zeros = std::uint64_t{1} << 24;
+/// The same for what Draco compressed, whose values come from elsewhere.
+constexpr std::uint64_t k_max_compressed = std::uint64_t{1} << 27;
 /// tinygltf keeps the numbers of sparse accessors in an int.
 constexpr std::uint64_t k_max_int = 0x7FFFFFFF;
 
@@ -40,6 +45,7 @@ View check_view(const JsonView& view, const std::vector<std::uint64_t>& buffers)
     view.fail(fmt::format("its {} bytes from offset {} do not fit into buffer {} of {} bytes",
                           length, offset, buffer, buffers[buffer]));
   }
+  static_cast<void>(find_meshopt(view, buffers));
   const std::optional<JsonView> stride = view.find("byteStride");
   if (stride) {
     const std::uint64_t value = stride->integer();
@@ -103,7 +109,9 @@ void check_sparse(const JsonView& sparse, std::uint64_t count, std::uint64_t ele
                element_size);
 }
 
-void check_accessor(const JsonView& accessor, const std::vector<View>& views) {
+/// `max_zeros`: the count that is believed without any data.
+void check_accessor(const JsonView& accessor, const std::vector<View>& views,
+                    std::uint64_t max_zeros) {
   const std::uint64_t component_bytes = check_component_type(accessor);
   const JsonView type_name = accessor.require("type");
   const ElementType type = element_type(type_name.text());
@@ -126,13 +134,26 @@ void check_accessor(const JsonView& accessor, const std::vector<View>& views) {
     }
     check_extent(accessor, view, offset, count.integer(), size,
                  view.stride != 0 ? view.stride : size);
-  } else if (count.integer() > k_max_zeros) {
+  } else if (count.integer() > max_zeros) {
     count.fail(fmt::format("is {} without any data, expected at most {} zeros", count.integer(),
-                           k_max_zeros));
+                           max_zeros));
   }
   if (const std::optional<JsonView> sparse = accessor.find("sparse")) {
     check_sparse(*sparse, count.integer(), size, views);
   }
+}
+
+/// The accessors of indices that Draco compressed.
+std::set<std::uint64_t> find_compressed_indices(const JsonView& root) {
+  std::set<std::uint64_t> accessors;
+  for (const JsonView& mesh : root.items("meshes")) {
+    for (const JsonView& primitive : mesh.items("primitives")) {
+      if (primitive.extension("KHR_draco_mesh_compression") && primitive.has("indices")) {
+        accessors.insert(primitive.require("indices").integer());
+      }
+    }
+  }
+  return accessors;
 }
 
 }  // namespace
@@ -143,8 +164,11 @@ void check_accessors(const JsonView& root) {
   for (const JsonView& view : root.items("bufferViews")) {
     views.push_back(check_view(view, buffers));
   }
+  const std::set<std::uint64_t> compressed = find_compressed_indices(root);
+  std::uint64_t index = 0;
   for (const JsonView& accessor : root.items("accessors")) {
-    check_accessor(accessor, views);
+    check_accessor(accessor, views, compressed.count(index) > 0 ? k_max_compressed : k_max_zeros);
+    ++index;
   }
 }
 

@@ -102,7 +102,8 @@ void check_attributes(const JsonView& attributes, const Targets& targets) {
   }
 }
 
-void check_indices(const JsonView& indices, const Targets& targets) {
+/// Indices that Draco compressed need no data of their own.
+void check_indices(const JsonView& indices, const Targets& targets, bool is_compressed) {
   const Targets::Accessor& accessor = accessor_of(indices, targets);
   const bool is_unsigned = accessor.component == Component::u8 ||
                            accessor.component == Component::u16 ||
@@ -110,7 +111,7 @@ void check_indices(const JsonView& indices, const Targets& targets) {
   if (accessor.type != "SCALAR" || !is_unsigned || accessor.normalized) {
     indices.fail("expected an accessor of unsigned integer SCALARs that are not normalized");
   }
-  if (!accessor.has_view) {
+  if (!accessor.has_view && !is_compressed) {
     indices.fail("expected an accessor with a bufferView");
   }
 }
@@ -118,7 +119,7 @@ void check_indices(const JsonView& indices, const Targets& targets) {
 void check_primitive(const JsonView& primitive, const Targets& targets) {
   check_attributes(primitive.require("attributes"), targets);
   if (const std::optional<JsonView> indices = primitive.find("indices")) {
-    check_indices(*indices, targets);
+    check_indices(*indices, targets, primitive.extension("KHR_draco_mesh_compression").has_value());
   }
   static_cast<void>(primitive.index_of("material", targets.materials, "materials"));
   static_cast<void>(find_binding(primitive, targets.shapes, targets.materials));

@@ -62,6 +62,9 @@ void check_node(const JsonView& node, const Counts& counts) {
   static_cast<void>(node.index_of("camera", counts.cameras, "cameras"));
   static_cast<void>(node.index_of("skin", counts.skins, "skins"));
   static_cast<void>(find_binding(node, counts.shapes, counts.materials));
+  if (const std::optional<JsonView> visibility = node.extension("KHR_node_visibility")) {
+    static_cast<void>(visibility->boolean_or("visible", true));
+  }
   if (const std::optional<JsonView> light = node.extension("KHR_lights_punctual")) {
     static_cast<void>(light->require("light").index(counts.lights, "lights"));
   }

@@ -31,6 +31,14 @@ std::uint32_t MaterialTable::double_sided(std::uint32_t material) {
   return it->second;
 }
 
+std::optional<std::uint32_t> MaterialTable::tangent_set(std::uint32_t material) const {
+  const shading::TextureUse& texture = materials_[material].normal_texture;
+  const shading::TextureTransform& transform = texture.transform;
+  const bool keeps_axes =
+      transform.rotation == 0.0f && transform.scale.x > 0.0f && transform.scale.y > 0.0f;
+  return texture && keeps_axes ? std::optional(texture.texcoord) : std::nullopt;
+}
+
 bool MaterialTable::may_have_holes(std::uint32_t material, bool has_vertex_colors) const {
   const shading::Material& m = materials_[material];
   return m.alpha_mode == shading::AlphaMode::mask &&

@@ -25,6 +25,10 @@ class MaterialTable {
   [[nodiscard]] std::uint32_t number(std::optional<std::size_t> gltf_material);
   /// Of a copy that shows both of its sides; itself if it does so already.
   [[nodiscard]] std::uint32_t double_sided(std::uint32_t material);
+  /// The set of texture coordinates along which the material needs tangents, if it does. Not where
+  /// its normal texture is turned or mirrored: tangents belong to untransformed coordinates, and
+  /// the frame is then better taken from each triangle.
+  [[nodiscard]] std::optional<std::uint32_t> tangent_set(std::uint32_t material) const;
   /// Whether a surface of the material may have points that are cut away (alphaMode MASK).
   [[nodiscard]] bool may_have_holes(std::uint32_t material, bool has_vertex_colors) const;
 

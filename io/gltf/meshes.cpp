@@ -5,6 +5,7 @@
 #include "io/gltf/accessors.h"
 #include "io/gltf/component.h"
 #include "io/gltf/normals.h"
+#include "io/gltf/tangents.h"
 #include "io/gltf/triangulate.h"
 
 #include <fmt/format.h>
@@ -145,7 +146,10 @@ std::vector<Vec4> read_colors(const Source& source) {
   return colors;
 }
 
-void read_normals_and_tangents(const Source& source, Mesh& mesh, Notes& notes) {
+/// Tangents that are missing are made where the material needs them, which may split vertices:
+/// everything else must have been read before.
+void read_normals_and_tangents(const Source& source, const MaterialTable& materials, Mesh& mesh,
+                               Notes& notes) {
   const std::optional<std::size_t> normals = source.attribute("NORMAL");
   if (!normals) {
     // Flat facets; tangents that come without normals are to be ignored (section 3.7.2.1).
@@ -158,6 +162,12 @@ void read_normals_and_tangents(const Source& source, Mesh& mesh, Notes& notes) {
   if (const std::optional<std::size_t> tangents = source.attribute("TANGENT")) {
     mesh.tangents = read_vec4(source.document, *tangents);
     repair_tangents(mesh);
+  } else if (source.material()) {
+    const auto material = static_cast<std::uint32_t>(*source.material());
+    const std::optional<std::uint32_t> set = materials.tangent_set(material);
+    if (set && *set < mesh.texcoords.size() && !mesh.texcoords[*set].empty()) {
+      generate_tangents(mesh, *set);
+    }
   }
 }
 
@@ -182,14 +192,14 @@ void note_what_is_lost(const Source& source, Notes& notes) {
   }
 }
 
-Mesh read_primitive(const Source& source, Notes& notes) {
+Mesh read_primitive(const Source& source, const MaterialTable& materials, Notes& notes) {
   Mesh mesh;
   mesh.positions = read_vec3(source.document, *source.attribute("POSITION"));
   require_usable(source, "POSITION", mesh.positions);
   mesh.triangles = read_triangles(source, mesh.positions.size(), notes);
   mesh.texcoords = read_texcoords(source);
   mesh.colors = read_colors(source);
-  read_normals_and_tangents(source, mesh, notes);
+  read_normals_and_tangents(source, materials, mesh, notes);
   note_what_is_lost(source, notes);
   return mesh;
 }
@@ -201,7 +211,7 @@ std::optional<geometry::Geometry> read_triangle_surface(const Source& source,
     notes.add(source.subject, reason);
     return std::nullopt;
   }
-  Mesh mesh = read_primitive(source, notes);
+  Mesh mesh = read_primitive(source, materials, notes);
   if (mesh.triangles.empty()) {
     return std::nullopt;
   }

@@ -35,6 +35,12 @@ std::optional<std::size_t> parse_number(const std::string& text) {
                           names.empty() ? ": the file has no scenes" : list_names(wanted, names)));
 }
 
+/// KHR_node_visibility: neither the node nor what is below it is shown.
+bool is_hidden(const JsonView& node) {
+  const std::optional<JsonView> visibility = node.extension("KHR_node_visibility");
+  return visibility && !visibility->boolean_or("visible", true);
+}
+
 }  // namespace
 
 DMat4 compose(const DVec3& translation, const DMat3& rotation, const DVec3& scale) {
@@ -64,6 +70,7 @@ DMat4 local_matrix(const tinygltf::Node& node) {
 }
 
 std::vector<PlacedNode> flatten(const Document& document, const std::vector<int>& roots) {
+  const std::vector<JsonView> json_nodes = document.root().items("nodes");
   std::vector<PlacedNode> result;
   // A stack of our own: a file may chain a million nodes. Each entry holds the parent's matrix.
   std::vector<PlacedNode> pending;
@@ -76,6 +83,9 @@ std::vector<PlacedNode> flatten(const Document& document, const std::vector<int>
   while (!pending.empty()) {
     PlacedNode placed = pending.back();
     pending.pop_back();
+    if (is_hidden(json_nodes[placed.node])) {
+      continue;
+    }
     const tinygltf::Node& node = document.model.nodes[placed.node];
     placed.world = placed.world * local_matrix(node);
     push(node.children, placed.world);

@@ -17,7 +17,8 @@ struct PlacedNode {
   geometry::DMat4 world{1.0};  ///< from the node's space to the world's
 };
 
-/// The scene's nodes depth first, children in their order.
+/// The scene's nodes depth first, children in their order, without those that are hidden
+/// (KHR_node_visibility).
 [[nodiscard]] std::vector<PlacedNode> flatten(const Document& document,
                                               const std::vector<int>& roots);
 
