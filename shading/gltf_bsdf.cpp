@@ -12,6 +12,19 @@ namespace {
 /// KHR_materials_ior: an index of 0 stands for infinity, a dielectric that reflects everything.
 float dielectric_reflectance(float ior) { return ior == 0.0f ? 1.0f : normal_reflectance(ior); }
 
+/// What a dielectric layer reflects at normal and at grazing incidence.
+struct Layer {
+  Color f0{0.04f};
+  float f90 = 1.0f;
+};
+
+/// KHR_materials_specular; without it the layer of the index of refraction alone, to the bit.
+Layer dielectric_layer(const MaterialPoint& point) {
+  const float f0 = dielectric_reflectance(point.material->ior);
+  return {min(f0 * point.specular_color, Color(1.0f)) * point.specular,
+          grazing_reflectance(f0) * point.specular};
+}
+
 Vec3 mirrored_at_surface(const Vec3& v) { return {v.x, v.y, -v.z}; }
 
 }  // namespace
@@ -24,9 +37,11 @@ GltfBsdf::GltfBsdf(const MaterialPoint& point, const Vec3& to_viewer, bool insid
   const float dielectric = 1.0f - point.metallic;
   diffuse_ = point.base_color * (dielectric * (1.0f - point.transmission));
   transmission_ = point.base_color * (dielectric * point.transmission);
-  layer_f0_ = dielectric_reflectance(point.material->ior);
-  layer_f90_ = grazing_reflectance(layer_f0_);
-  f0_ = Color(layer_f0_ * dielectric) + point.base_color * point.metallic;
+  const Layer layer = dielectric_layer(point);
+  layer_f0_ = max_component(layer.f0);
+  layer_f90_ = layer.f90;
+  inside_tint_ = min(point.specular_color, Color(1.0f)) * point.specular;
+  f0_ = layer.f0 * dielectric + point.base_color * point.metallic;
   f90_ = Color(layer_f90_ * dielectric + point.metallic);
   const float ior = std::max(point.material->ior, 1.0f);
   eta_ = inside ? ior : 1.0f / ior;
@@ -34,7 +49,10 @@ GltfBsdf::GltfBsdf(const MaterialPoint& point, const Vec3& to_viewer, bool insid
 
 Color GltfBsdf::fresnel(float cosine) const {
   // Inside a solid Schlick's approximation knows nothing of total internal reflection.
-  if (solid_ && eta_ > 1.0f) return Color(fresnel_dielectric(cosine, eta_));
+  if (solid_ && eta_ > 1.0f) {
+    const float reflectance = fresnel_dielectric(cosine, eta_);
+    return reflectance < 1.0f ? reflectance * inside_tint_ : Color(1.0f);
+  }
   return fresnel_schlick(f0_, f90_, cosine);
 }
 
@@ -110,9 +128,10 @@ std::optional<LobeSample> GltfBsdf::sample_transmission(Vec2 random) const {
 Color GltfBsdf::reflection_color() const { return fresnel(to_viewer_.z); }
 
 Color gltf_straight_transmittance(const MaterialPoint& point, float cosine) {
-  const float f0 = dielectric_reflectance(point.material->ior);
-  const float f = fresnel_schlick(f0, grazing_reflectance(f0), cosine);
-  return point.base_color * ((1.0f - f) * (1.0f - point.metallic) * point.transmission);
+  const Layer layer = dielectric_layer(point);
+  const Color reflected = fresnel_schlick(layer.f0, Color(layer.f90), cosine);
+  return point.base_color * (Color(1.0f) - reflected) *
+         ((1.0f - point.metallic) * point.transmission);
 }
 
 }  // namespace lume::shading

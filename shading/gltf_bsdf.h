@@ -9,8 +9,11 @@
 // out,
 //   (1 - F(n.l)) (1 - F(n.v)) / (1 - F_average),
 // which is reciprocal and conserves energy (Shirley, Smits, Hu, Lafortune 1997, "A Practitioners'
-// Assessment of Light Reflection Models"; Kelemen and Szirmay-Kalos 2001). Directions
-// are unit vectors in the scene's frame that point away from the surface.
+// Assessment of Light Reflection Models"; Kelemen and Szirmay-Kalos 2001).
+// KHR_materials_specular sets what the layer reflects to
+//   F0 = min(F0(ior) * specular colour, 1) * specular,  F90 = specular;
+// a tinted layer takes from the base what its strongest colour reflects, as the extension says.
+// Directions are unit vectors in the scene's frame that point away from the surface.
 #pragma once
 
 #include "geometry/math.h"
@@ -61,13 +64,15 @@ class GltfBsdf {
   [[nodiscard]] Vec3 sample_half_vector(Vec2 random) const;
 
   geometry::Frame frame_;
-  Vec3 to_viewer_{0.0f};    ///< local
-  Color diffuse_{0.0f};     ///< albedo under the specular layer
-  float layer_f0_ = 0.04f;  ///< reflectance of the dielectric layer over it, at normal incidence
+  Vec3 to_viewer_{0.0f};  ///< local
+  Color diffuse_{0.0f};   ///< albedo under the specular layer
+  /// Reflectance of the dielectric layer over it at normal incidence, of its strongest colour.
+  float layer_f0_ = 0.04f;
   float layer_f90_ = 1.0f;  ///< and at grazing incidence
   Color transmission_{0.0f};
   Color f0_{0.0f};  ///< of dielectric and metal mixed
   Color f90_{1.0f};
+  Color inside_tint_{1.0f};  ///< of what the boundary reflects inside, short of total reflection
   float alpha_ = 1.0f;
   float eta_ = 1.0f;  ///< index of refraction on the viewer's side over the other side
   bool solid_ = false;

@@ -57,6 +57,12 @@ struct Material {
   bool double_sided = false;
   bool unlit = false;  ///< KHR_materials_unlit: base colour shown as it is
 
+  /// KHR_materials_specular: strength of the dielectric reflection, and its tint at normal
+  /// incidence.
+  float specular = 1.0f;
+  TextureUse specular_texture;        ///< A
+  Color specular_color{1.0f};         ///< may exceed 1
+  TextureUse specular_color_texture;  ///< sRGB
   float ior = 1.5f;           ///< KHR_materials_ior; 0 means: reflects all, as the extension says
   float transmission = 0.0f;  ///< KHR_materials_transmission
   TextureUse transmission_texture;  ///< R
@@ -84,7 +90,8 @@ struct Material {
   }
   [[nodiscard]] bool is_textured() const {
     return base_color_texture || metallic_roughness_texture || normal_texture ||
-           occlusion_texture || emission_texture || transmission_texture;
+           occlusion_texture || emission_texture || transmission_texture || specular_texture ||
+           specular_color_texture;
   }
   [[nodiscard]] bool is_emissive() const { return !unlit && max_component(emission) > 0.0f; }
 };

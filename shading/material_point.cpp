@@ -63,6 +63,15 @@ void add_microfacet_factors(const Scene& scene, const Material& material, const 
   if (material.transmission_texture) {
     result.transmission *= read(scene, material.transmission_texture, Encoding::linear, point).x;
   }
+  result.specular = material.specular;
+  if (material.specular_texture) {
+    result.specular *= read(scene, material.specular_texture, Encoding::linear, point).w;
+  }
+  result.specular_color = material.specular_color;
+  if (material.specular_color_texture) {
+    result.specular_color *=
+        Color(read(scene, material.specular_color_texture, Encoding::srgb, point));
+  }
 }
 
 /// A viewer behind the horizon of an interpolated or mapped normal would see nothing but darkness:

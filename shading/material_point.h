@@ -11,9 +11,11 @@ struct MaterialPoint {
   const Material* material = nullptr;
   Color base_color{1.0f};
   float coverage = 1.0f;   ///< alpha: 1 for opaque materials, 0 or 1 for masked ones
-  float metallic = 0.0f;   ///< this and the next two: of the metallic-roughness model only
+  float metallic = 0.0f;   ///< this and the next four: of the metallic-roughness model only
   float roughness = 1.0f;  ///< perceptual, as glTF has it
   float transmission = 0.0f;
+  float specular = 1.0f;       ///< strength of the dielectric reflection
+  Color specular_color{1.0f};  ///< its tint at normal incidence
 
   float occlusion = 1.0f;  ///< of ambient light: 1 none
   /// Unit, with the normal map, on the side the viewer is on.

@@ -29,7 +29,7 @@ constexpr auto k_known = std::to_array<KnownExtension>({
     {"KHR_materials_pbrSpecularGlossiness", Support::ignored,
      "the metallic-roughness values are used"},
     {"KHR_materials_sheen", Support::ignored, "the sheen is left out"},
-    {"KHR_materials_specular", Support::ignored, "reflections have full strength and no tint"},
+    {"KHR_materials_specular", Support::full, ""},
     {"KHR_materials_transmission", Support::full, ""},
     {"KHR_materials_unlit", Support::full, ""},
     {"KHR_materials_variants", Support::ignored, "the default materials are shown"},

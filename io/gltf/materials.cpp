@@ -111,6 +111,13 @@ void read_extensions(const JsonView& json, Material& material, TextureTable& tex
   if (const auto ior = json.extension("KHR_materials_ior")) {
     material.ior = read_ior(*ior);
   }
+  if (const auto specular = json.extension("KHR_materials_specular")) {
+    material.specular = factor(*specular, "specularFactor", 1);
+    material.specular_texture = texture_use(*specular, "specularTexture", textures);
+    material.specular_color =
+        to_color(specular->numbers_or("specularColorFactor", {1, 1, 1}, k_not_negative));
+    material.specular_color_texture = texture_use(*specular, "specularColorTexture", textures);
+  }
   if (const auto transmission = json.extension("KHR_materials_transmission")) {
     material.transmission = factor(*transmission, "transmissionFactor", 0);
     material.transmission_texture = texture_use(*transmission, "transmissionTexture", textures);

@@ -91,6 +91,8 @@ std::vector<std::string> material_features(const shading::Material& material) {
     add(bool(material.metallic_roughness_texture), "metallic-roughness texture");
     add(!material.metallic_roughness_texture && !material.unlit,
         fmt::format("metallic {:.3g}, roughness {:.3g}", material.metallic, material.roughness));
+    add(material.specular != 1.0f || material.specular_color != shading::Color(1.0f),
+        fmt::format("specular {:.3g}", material.specular));
     add(material.transmission > 0.0f, fmt::format("transmission {:.3g}", material.transmission));
     add(bool(material.transmission_texture), "transmission texture");
   }

@@ -90,6 +90,8 @@ TEST(GltfMaterial, Extensions_AreRead) {
       "KHR_materials_unlit": {}, "KHR_materials_ior": {"ior": 1.33},
       "KHR_materials_transmission": {"transmissionFactor": 0.75,
         "transmissionTexture": {"index": 0}},
+      "KHR_materials_specular": {"specularFactor": 0.5, "specularTexture": {"index": 0},
+        "specularColorFactor": [2, 1, 0], "specularColorTexture": {"index": 0, "texCoord": 1}},
       "KHR_materials_volume": {"thicknessFactor": 2, "attenuationDistance": 3,
         "attenuationColor": [0.5, 1, 0]}}})")
                                 .scene.materials.at(0);
@@ -98,6 +100,10 @@ TEST(GltfMaterial, Extensions_AreRead) {
   EXPECT_EQ(material.ior, 1.33f);
   EXPECT_EQ(material.transmission, 0.75f);
   EXPECT_TRUE(material.transmission_texture);
+  EXPECT_EQ(material.specular, 0.5f);
+  EXPECT_TRUE(material.specular_texture);
+  EXPECT_EQ(material.specular_color, Color(2, 1, 0));
+  EXPECT_EQ(material.specular_color_texture.texcoord, 1u);
   EXPECT_EQ(material.thickness, 2.0f);
   EXPECT_EQ(material.attenuation_distance, 3.0f);
   EXPECT_EQ(material.attenuation_color, Color(0.5f, 1, 0));

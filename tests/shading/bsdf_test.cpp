@@ -46,6 +46,72 @@ TEST(Bsdf, RoughDielectric_IsLambertUnderFresnel) {
   expect_near(bsdf.eval_specular(up), Color(0.04f / (4.0f * geometry::k_pi)), 1e-6f);
 }
 
+/// KHR_materials_specular, section "Implementation", word for word.
+Color specified_fresnel(const Surface& surface, float cosine) {
+  const float n = surface.material.ior;
+  const float r = (1.0f - n) / (1.0f + n);
+  const Color f0 =
+      glm::min(r * r * surface.point.specular_color, Color(1.0f)) * surface.point.specular;
+  const Color f90(surface.point.specular);
+  return f0 + (f90 - f0) * std::pow(1.0f - cosine, 5.0f);
+}
+
+TEST(Bsdf, Specular_ReflectsAsItsExtensionSays) {
+  Random random(11);
+  for (int i = 0; i < 2000; ++i) {
+    Surface surface(Color(0.5f), 0.0f, 0.0f);
+    surface.material.ior = random.uniform(1.4f, 2.0f);
+    surface.point.specular = random.uniform();
+    surface.point.specular_color =
+        3.0f * Color(random.uniform(), random.uniform(), random.uniform());
+    const Vec3 viewer = random.upper_direction();
+    const Bsdf bsdf = surface.seen_from(viewer);
+    const Color expected = specified_fresnel(surface, viewer.z);
+    expect_near(bsdf.sample_reflection(random.square())->weight, expected, 1e-5f);
+    // The base gets what the strongest colour leaves, on the way in and on the way out.
+    const Vec3 light = random.upper_direction();
+    const auto leaves = [&](float cosine) {
+      return 1.0f - max_component(specified_fresnel(surface, cosine));
+    };
+    const Color f0 = specified_fresnel(surface, 1.0f);
+    const float average = max_component(f0) + (surface.point.specular - max_component(f0)) / 21.0f;
+    const float base = leaves(viewer.z) * leaves(light.z) / (1.0f - average);
+    expect_near(bsdf.eval_diffuse(light), Color(0.5f * base * light.z / geometry::k_pi), 1e-5f);
+  }
+}
+
+TEST(Bsdf, SpecularZero_IsLambertAlone) {
+  Surface surface(Color(0.8f, 0.4f, 0.2f), 0.0f, 0.5f);
+  surface.point.specular = 0.0f;
+  const Bsdf bsdf = surface.seen_from(glm::normalize(Vec3(1, 0, 0.2f)));
+  const Vec3 light = glm::normalize(Vec3(0.3f, 0.1f, 0.5f));
+  expect_near(bsdf.eval_diffuse(light), surface.point.base_color * (light.z / geometry::k_pi),
+              1e-6f);
+  EXPECT_EQ(bsdf.eval_specular(light), Color(0.0f));
+  EXPECT_EQ(bsdf.reflection_color(), Color(0.0f));
+}
+
+TEST(Bsdf, SpecularOfAMetal_HasNoEffect) {
+  Surface plain(Color(0.9f, 0.6f, 0.3f), 1.0f, 0.4f);
+  Surface tinted = plain;
+  tinted.point.specular = 0.2f;
+  tinted.point.specular_color = {0.0f, 1.0f, 5.0f};
+  const Vec3 viewer = glm::normalize(Vec3(0.2f, 0.5f, 0.6f));
+  const Vec3 light = glm::normalize(Vec3(-0.4f, 0.1f, 0.5f));
+  EXPECT_EQ(plain.seen_from(viewer).eval_specular(light),
+            tinted.seen_from(viewer).eval_specular(light));
+}
+
+TEST(Bsdf, SpecularInsideASolid_TintsButKeepsTotalReflection) {
+  Surface surface(Color(1.0f), 0.0f, 0.0f, 1.0f, 1.0f);
+  surface.point.specular = 0.5f;
+  const Vec3 steep = glm::normalize(Vec3(0.2f, 0.0f, 1.0f));
+  const float reflectance = fresnel_dielectric(steep.z, 1.5f);
+  expect_near(surface.seen_from(steep, true).reflection_color(), Color(0.5f * reflectance), 1e-6f);
+  const Vec3 flat = glm::normalize(Vec3(1.0f, 0.0f, 0.3f));  // beyond the critical angle
+  EXPECT_EQ(surface.seen_from(flat, true).reflection_color(), Color(1.0f));
+}
+
 TEST(Bsdf, Metal_HasNoDiffuseAndReflectsItsColour) {
   Surface surface(Color(1.0f, 0.7f, 0.3f), 1.0f, 0.0f);
   const Vec3 up(0, 0, 1);
@@ -76,6 +142,8 @@ TEST(Bsdf, RandomMaterials_AreReciprocal) {
   for (int i = 0; i < 3000; ++i) {
     const Color color(random.uniform(), random.uniform(), random.uniform());
     Surface surface(color, random.uniform(), random.uniform(0.1f, 1.0f));
+    surface.point.specular = random.uniform();
+    surface.point.specular_color = 2.0f * Color(random.uniform(), random.uniform(), 1.0f);
     const Vec3 a = random.upper_direction();
     const Vec3 b = random.upper_direction();
     const Bsdf from_a = surface.seen_from(a);
@@ -212,6 +280,8 @@ TEST(Bsdf, AnyMaterial_StaysFinite) {
     const auto unit = [&] { return extreme ? std::round(random.uniform()) : random.uniform(); };
     Surface surface(Color(unit(), unit(), unit()), unit(), unit(), unit(), unit());
     surface.material.ior = extreme ? 1.0f : random.uniform(1.0f, 3.0f);
+    surface.point.specular = unit();
+    surface.point.specular_color = Color(unit(), unit(), extreme ? 1e4f : 2.0f * unit());
     Vec3 viewer = random.direction();
     viewer.z = random.uniform() < 0.2f ? 1e-3f : std::abs(viewer.z) + 1e-3f;
     viewer = glm::normalize(viewer);
