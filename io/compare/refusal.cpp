@@ -27,10 +27,12 @@ std::string non_finite_values(const ImageFile& file) {
       const auto first = std::find_if(plane.begin(), plane.end(), is_bad);
       if (first == plane.end()) continue;
       const auto at = static_cast<int>(first - plane.begin());
-      return fmt::format(
-          "{}: {} values of channel {}{} are not finite; the first is {} at ({}, {})", file.path,
-          std::count_if(first, plane.end(), is_bad), image.channels[c], of_image(file, i), *first,
-          image.region.x + at % image.region.width, image.region.y + at / image.region.width);
+      const auto count = std::count_if(first, plane.end(), is_bad);
+      return fmt::format("{}: {} of channel {}{} {} not finite; the first is {} at ({}, {})",
+                         file.path, count == 1 ? "one value" : fmt::format("{} values", count),
+                         image.channels[c], of_image(file, i), count == 1 ? "is" : "are", *first,
+                         image.region.x + at % image.region.width,
+                         image.region.y + at / image.region.width);
     }
   }
   return "";

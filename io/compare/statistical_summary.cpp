@@ -49,10 +49,10 @@ std::string failure(const StatisticalFamily& family, const std::string& where) {
 }  // namespace
 
 std::string describe(const StatisticalResult& result) {
-  if (result.passed) return "passed; " + sensitivity(result);
-  std::string text = "failed";
+  if (result.passed) return sensitivity(result);
+  std::string text;
   const auto add = [&](const StatisticalFamily& family, const std::string& where) {
-    if (!family.passed) text += "; " + failure(family, where);
+    if (!family.passed) text += (text.empty() ? "" : "; ") + failure(family, where);
   };
   add(result.image, "the whole image");
   add(result.tiles, place(result.tiles, "the tile"));

@@ -72,7 +72,7 @@ struct StatisticalResult {
                                              const EstimateMoments& expected,
                                              const StatisticalSettings& settings = {});
 
-/// One line: "passed; would have seen a bias of 0.4% of the whole image or 1.8% of the median tile"
+/// One line: "would have seen a bias of 0.4% of the whole image or 1.8% of the median tile"
 /// or what failed where.
 [[nodiscard]] std::string describe(const StatisticalResult& result);
 

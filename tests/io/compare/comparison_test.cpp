@@ -80,7 +80,7 @@ TEST(Comparison, NonFiniteValues_AreRefusedOnEitherSide) {
     const Comparison first = compare(broken, some_image(), generous);
     EXPECT_EQ(first.refusal, Refusal::non_finite);
     EXPECT_FALSE(first.passed);
-    EXPECT_THAT(first.message, HasSubstr("actual.exr: 1 values of channel B"));
+    EXPECT_THAT(first.message, HasSubstr("actual.exr: one value of channel B is not finite"));
     EXPECT_THAT(first.message, HasSubstr("at (1, 1)"));
     EXPECT_THAT(compare(some_image(), broken).message, HasSubstr("expected.exr"));
     EXPECT_EQ(compare(broken, broken).refusal, Refusal::non_finite);

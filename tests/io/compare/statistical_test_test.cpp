@@ -14,6 +14,7 @@ namespace lume::io {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 constexpr test::SyntheticPicture k_picture{40, 24};
 
@@ -167,12 +168,11 @@ TEST(StatisticalTest, Black_HasNoRelativeBias) {
 
 TEST(StatisticalTest, Description_SaysWhatAPassIsWorthAndWhatFailedWhere) {
   const StatisticalResult passed = test_stacks(noisy_stack(1), noisy_stack(2));
-  EXPECT_THAT(describe(passed), HasSubstr("passed; would have seen a bias of "));
+  EXPECT_THAT(describe(passed), StartsWith("would have seen a bias of "));
   EXPECT_THAT(describe(passed), HasSubstr("% of the whole image or "));
   EstimateStack broken = noisy_stack(3);
   for (auto& image : broken.images) image[0][index(7, 11)] += 50.0f;
   const std::string text = describe(test_stacks(broken, noisy_stack(2)));
-  EXPECT_THAT(text, HasSubstr("failed; "));
   EXPECT_THAT(text, HasSubstr("pixel (7, 11) in Y: +50"));
 }
 
