@@ -18,10 +18,10 @@ void collect(const Json& value, const std::string& pointer,
   if (value.is_object()) {
     for (const auto& [key, member] : value.items()) {
       if (key == "extras") continue;
-      const std::string below = pointer + "/" + key;
+      const std::string below = fmt::format("{}/{}", pointer, key);
       if (key == "extensions" && member.is_object()) {
         for (const auto& [name, extension] : member.items()) {
-          places.try_emplace(name, below + "/" + name);
+          places.try_emplace(name, fmt::format("{}/{}", below, name));
         }
       }
       collect(member, below, places);

@@ -167,7 +167,71 @@ std::vector<V> read_vectors(const Document& document, std::size_t accessor_index
   return result;
 }
 
+template <class Stored>
+void append_numbers(const Elements& elements, std::size_t width, std::vector<double>& out) {
+  constexpr auto k_largest = static_cast<double>(std::numeric_limits<Stored>::max());
+  const bool is_fraction = elements.normalized && std::is_integral_v<Stored>;
+  for (std::size_t i = 0; i < elements.count; ++i) {
+    for (std::size_t c = 0; c < width; ++c) {
+      Stored stored;
+      std::memcpy(&stored, elements.data + i * elements.stride + c * sizeof(stored),
+                  sizeof(stored));
+      const auto value = static_cast<double>(stored);
+      out.push_back(is_fraction ? std::max(value / k_largest, -1.0) : value);
+    }
+  }
+}
+
+std::vector<double> numbers_of(const Elements& elements, std::size_t width) {
+  std::vector<double> result;
+  result.reserve(elements.count * width);
+  switch (elements.component) {
+    case Component::i8:
+      append_numbers<std::int8_t>(elements, width, result);
+      break;
+    case Component::u8:
+      append_numbers<std::uint8_t>(elements, width, result);
+      break;
+    case Component::i16:
+      append_numbers<std::int16_t>(elements, width, result);
+      break;
+    case Component::u16:
+      append_numbers<std::uint16_t>(elements, width, result);
+      break;
+    case Component::u32:
+      append_numbers<std::uint32_t>(elements, width, result);
+      break;
+    case Component::f32:
+      append_numbers<float>(elements, width, result);
+      break;
+  }
+  return result;
+}
+
 }  // namespace
+
+std::vector<double> read_numbers(const Document& document, std::size_t accessor_index) {
+  const tinygltf::Accessor& accessor = document.model.accessors[accessor_index];
+  const auto width = static_cast<std::size_t>(
+      tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type)));
+  std::vector<double> result(accessor.count * width, 0.0);
+  if (accessor.bufferView >= 0) {
+    result = numbers_of(elements_of(document, accessor, width), width);
+  }
+  if (accessor.sparse.isSparse) {
+    const std::vector<std::uint32_t> places = sparse_indices(document, accessor_index);
+    Elements elements =
+        packed(document, accessor.sparse.values.bufferView,
+               static_cast<std::size_t>(accessor.sparse.values.byteOffset), places.size(),
+               static_cast<Component>(accessor.componentType), width);
+    elements.normalized = accessor.normalized;
+    const std::vector<double> values = numbers_of(elements, width);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      result[places[i / width] * width + i % width] = values[i];
+    }
+  }
+  return result;
+}
 
 std::vector<Vec2> read_vec2(const Document& document, std::size_t accessor) {
   return read_vectors<Vec2>(document, accessor);

@@ -21,4 +21,8 @@ namespace lume::io::gltf {
 [[nodiscard]] std::vector<std::uint32_t> read_indices(const Document& document,
                                                       std::size_t accessor);
 
+/// Every component of every element, one after another, in double. For accessors whose columns have
+/// no padding: vectors of any type, matrices of floats.
+[[nodiscard]] std::vector<double> read_numbers(const Document& document, std::size_t accessor);
+
 }  // namespace lume::io::gltf

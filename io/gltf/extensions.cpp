@@ -15,7 +15,7 @@ constexpr auto k_known = std::to_array<KnownExtension>({
     {"EXT_mesh_gpu_instancing", Support::full, ""},
     {"EXT_meshopt_compression", Support::full, ""},
     {"EXT_texture_webp", Support::full, ""},
-    {"KHR_animation_pointer", Support::ignored, "animations are not played"},
+    {"KHR_animation_pointer", Support::ignored, "what it moves stays as it is"},
     {"KHR_draco_mesh_compression", Support::full, ""},
     {"KHR_implicit_shapes", Support::full, ""},
     {"KHR_lights_punctual", Support::full, ""},

@@ -59,6 +59,7 @@ void check_document(const JsonView& root) {
   check_meshes(root);
   check_nodes(root);
   check_instancing(root);
+  check_animations(root);
 }
 
 }  // namespace lume::io::gltf

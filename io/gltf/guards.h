@@ -20,6 +20,9 @@ void check_meshes(const JsonView& root);
 void check_nodes(const JsonView& root);
 /// EXT_mesh_gpu_instancing: accessors of the right types and of equal counts. After the two above.
 void check_instancing(const JsonView& root);
+/// Animations of nodes: samplers whose accessors fit together, and one channel a property. After
+/// the meshes and nodes.
+void check_animations(const JsonView& root);
 /// Samplers, images and textures.
 void check_textures(const JsonView& root);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/gltf/load_gltf.h"
 
+#include "io/gltf/animations.h"
 #include "io/gltf/document.h"
 #include "io/gltf/extensions.h"
 #include "io/gltf/materials.h"
@@ -15,18 +16,32 @@
 namespace lume::io {
 namespace {
 
-void note_unused_parts(const gltf::JsonView& root, gltf::Notes& notes) {
+void play(gltf::Document& document, const LoadOptions& options, gltf::Notes& notes) {
+  if (!options.time) {
+    return;
+  }
+  if (const auto animation = gltf::choose_animation(document, options.animation)) {
+    gltf::apply_animation(document, *animation, *options.time, notes);
+  }
+}
+
+void note_unused_parts(const gltf::JsonView& root, const LoadOptions& options, gltf::Notes& notes) {
+  if (options.time) {
+    return;
+  }
   if (const std::size_t count = root.items("animations").size(); count > 0) {
-    notes.add("animations", fmt::format("{} not played yet; nodes stay where they are", count));
+    notes.add("animations",
+              fmt::format("{} not played without a time; nodes stay where they are", count));
   }
 }
 
 }  // namespace
 
 LoadedScene load_gltf(const std::filesystem::path& path, const LoadOptions& options) {
-  const gltf::Document document = gltf::open_document(path);
+  gltf::Document document = gltf::open_document(path);
   const gltf::JsonView root = document.root();
   gltf::Notes notes;
+  play(document, options, notes);
   LoadedScene result;
   result.extensions = gltf::list_extensions(root, notes);
   result.generator = document.model.asset.generator;
@@ -42,7 +57,7 @@ LoadedScene load_gltf(const std::filesystem::path& path, const LoadOptions& opti
   result.scene.textures = textures.textures();
   result.scene.images = textures.load_images(options.decode_images);
 
-  note_unused_parts(root, notes);
+  note_unused_parts(root, options, notes);
   result.notes = notes.lines();
   return result;
 }

@@ -34,7 +34,11 @@ struct LoadedScene {
 };
 
 struct LoadOptions {
-  std::optional<std::string> scene;  ///< name or number; absent: the file's default
+  std::optional<std::string> scene = std::nullopt;  ///< name or number; absent: the file's default
+  /// Seconds into the animation; absent: nodes stay where they were modelled.
+  std::optional<double> time = std::nullopt;
+  /// Name or number; absent: the first. Without a time it has no effect.
+  std::optional<std::string> animation = std::nullopt;
   /// Mesh primitives that are bound to analytic shapes are drawn as their triangles, and shapes
   /// that nodes are bound to are left out.
   bool tessellated = false;

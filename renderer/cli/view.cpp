@@ -29,6 +29,8 @@ void log_notes(const std::vector<std::string>& notes, const std::string& scene_f
 io::LoadedScene load_scene(const ViewOptions& options) {
   io::LoadOptions load;
   load.scene = options.scene;
+  load.time = options.time;
+  load.animation = options.animation;
   load.tessellated = options.tessellated;
   io::LoadedScene loaded = io::load_gltf(options.scene_file, load);
   log_notes(loaded.notes, options.scene_file);

@@ -19,6 +19,7 @@ namespace lume::cli {
 namespace {
 
 constexpr double k_max_coordinate = 1e12;  // metres; beyond it even doubles lose the millimetres
+constexpr double k_max_time = 1e9;         // seconds
 constexpr double k_max_angle = 36000.0;    // degrees
 constexpr std::uint64_t k_max_side = 65535;
 
@@ -26,6 +27,12 @@ void add_input_options(CLI::App& app, ViewOptions& options) {
   app.add_option("SCENE", options.scene_file, "The scene: a .gltf or .glb file")->type_name("FILE");
   app.add_option("--scene", options.scene, "Which scene of the file (the file's default)")
       ->type_name("NAME|N");
+  CLI::Option* time = app.add_option(
+      "--time", options.time, "Seconds into the animation (nodes stay where they were modelled)");
+  time->check(real_between(0.0, k_max_time))->type_name("SECONDS");
+  app.add_option("--animation", options.animation, "Which animation of the file (its first)")
+      ->type_name("NAME|N")
+      ->needs(time);
   app.add_flag("--tessellated", options.tessellated,
                "Draw the triangles that stand in for analytic shapes in other viewers, instead "
                "of the shapes");

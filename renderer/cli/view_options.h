@@ -21,7 +21,9 @@ namespace lume::cli {
 struct ViewOptions {
   std::string scene_file;
   std::optional<std::string> scene;
-  bool tessellated = false;  ///< triangles instead of analytic shapes
+  std::optional<double> time;            ///< seconds into the animation
+  std::optional<std::string> animation;  ///< which one
+  bool tessellated = false;              ///< triangles instead of analytic shapes
 
   std::optional<std::string> camera;
   std::optional<geometry::DVec3> orbit;  ///< theta, phi, radius

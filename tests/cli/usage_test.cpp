@@ -66,6 +66,8 @@ TEST(Usage, Mistakes_AreOneLineWithASuggestion) {
   expect_error(folder, {"render", "a.glb", "-o", "a.png", "--filter", "gausian"}, 2,
                "did you mean 'gaussian'");
   expect_error(folder, {"render", "a.glb", "-o", "a.png", "--aov", "depth"}, 2, "EXR");
+  expect_error(folder, {"render", "a.glb", "-o", "a.png", "--animation", "walk"}, 2, "--time");
+  expect_error(folder, {"render", "a.glb", "-o", "a.png", "--time", "-1"}, 2, "--time");
   expect_error(folder, {"info"}, 2, "no scene given");
   expect_error(folder, {"info", "a.glb", "--jsn"}, 2, "did you mean '--json'");
 }

@@ -74,7 +74,7 @@ inline Tolerance draco_tolerance(const std::filesystem::path& path) {
   const nlohmann::json json = nlohmann::json::parse(read_text(path));
   const std::string bytes =
       read_text(path.parent_path() / json["buffers"][0]["uri"].get<std::string>());
-  const double scale = largest_scale(io::load_gltf(path, {{}, false, false}));
+  const double scale = largest_scale(io::load_gltf(path, {.decode_images = false}));
   Tolerance tolerance;
   for (const auto& primitive : json["meshes"][0]["primitives"]) {
     const auto& extension = primitive["extensions"]["KHR_draco_mesh_compression"];
@@ -98,7 +98,7 @@ inline Tolerance draco_tolerance(const std::filesystem::path& path) {
 /// Integers that are scaled by the node, bytes for normals, integers scaled by the texture's
 /// transform (KHR_mesh_quantization).
 inline Tolerance integer_tolerance(const std::filesystem::path& path) {
-  const io::LoadedScene loaded = io::load_gltf(path, {{}, false, false});
+  const io::LoadedScene loaded = io::load_gltf(path, {.decode_images = false});
   Tolerance tolerance;
   tolerance.position = half_diagonal(largest_scale(loaded), 3);
   tolerance.normal = 2.0 * half_diagonal(1.0 / 127.0, 3);

@@ -48,7 +48,8 @@ class GltfTangents : public testing::TestWithParam<Model> {};
 TEST_P(GltfTangents, TangentsOfTheFile_AreMadeAgain) {
   const auto data = tests::test_data();
   if (!data) GTEST_SKIP() << "LUME_TEST_DATA is not set";
-  const LoadedScene loaded = load_gltf(*data / "gltf/assets" / GetParam().path, {{}, false, false});
+  const LoadedScene loaded =
+      load_gltf(*data / "gltf/assets" / GetParam().path, {.decode_images = false});
   Agreement agreement;
   for (const geometry::Object& object : loaded.scene.world.objects) {
     for (const geometry::Geometry& geometry : object.geometries) {
